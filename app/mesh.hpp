@@ -1,0 +1,48 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace cleave::app {
+
+/// Simplices of one dimension as a file lists them.
+struct Elements {
+  std::vector<std::uint32_t> vertices;  // dimension+1 per element: 0-based places in Mesh::points
+  std::vector<std::uint64_t> numbers;   // the file's own number of each element
+  std::vector<std::int32_t> references; // integer tag of each element; 0: none. A group of its own
+  std::size_t size() const { return numbers.size(); }
+};
+
+/// A named set of elements of one dimension: a physical group, a label, a reference.
+struct Group {
+  std::string name;  // as the file has it; the integer in digits where the file has no names
+  int dimension = 0;
+  std::int32_t tag = 0;                 // the file's integer for it
+  std::vector<std::uint32_t> elements;  // places in Mesh::elements[dimension], ascending
+};
+
+/// Values per vertex or per cell that a .vtu or .vtk file carries.
+struct Field {
+  std::string name;
+  int components = 1;
+  std::vector<double> values;  // components per entity
+};
+
+/// What a mesh file holds, nothing checked but its own grammar, order and numbers kept.
+struct Mesh {
+  std::string source;                           // the name to quote in messages
+  int dimension = 0;                            // highest dimension that has elements, 1 .. 3
+  std::vector<std::array<double, 3>> points;    // may hold values that are not finite: check's business
+  std::vector<std::uint64_t> vertex_numbers;    // the file's own, one per point
+  std::array<Elements, 4> elements;             // by dimension: vertices, edges, triangles, tetrahedra
+  std::vector<Group> groups;                    // by dimension, then tag
+  std::vector<Field> point_fields, cell_fields; // cell_fields: for elements of the highest dimension
+  bool two_dimensional_points = false;          // the format stored 2 coordinates (Medit Dimension 2)
+
+  const Elements& cells() const { return elements[static_cast<std::size_t>(dimension)]; }
+  const Elements& facets() const { return elements[static_cast<std::size_t>(dimension - 1)]; }
+};
+
+}  // namespace cleave::app

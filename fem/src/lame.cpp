@@ -1,0 +1,30 @@
+#include "cleave/fem/lame.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace cleave::fem {
+
+Lame lame_of(double young, double poisson) {
+  if (!(std::isfinite(young) && young > 0.0))
+    throw std::invalid_argument("Young's modulus must be positive and finite, it is " +
+                                std::to_string(young));
+  if (!(poisson > -1.0 && poisson < 0.5))
+    throw std::invalid_argument("Poisson's ratio must lie between -1 and 0.5, it is " +
+                                std::to_string(poisson));
+  return {young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson)),
+          young / (2.0 * (1.0 + poisson))};
+}
+
+void require_positive(const Lame& material) {
+  if (!(std::isfinite(material.mu) && material.mu > 0.0))
+    throw std::invalid_argument("mu must be positive and finite, it is " +
+                                std::to_string(material.mu));
+  if (!(std::isfinite(material.lambda) && 3.0 * material.lambda + 2.0 * material.mu > 0.0))
+    throw std::invalid_argument("3 lambda + 2 mu must be positive and finite; lambda is " +
+                                std::to_string(material.lambda) + ", mu is " +
+                                std::to_string(material.mu));
+}
+
+}  // namespace cleave::fem

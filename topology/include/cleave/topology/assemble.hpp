@@ -1,0 +1,31 @@
+#pragma once
+#include <vector>
+
+#include "cleave/topology/cell_soup.hpp"
+#include "cleave/topology/complex.hpp"
+#include "cleave/topology/relabelling.hpp"
+#include "cleave/topology/violation.hpp"
+
+namespace cleave::topology {
+
+/// The complex of these cells with these signs. Throws InvalidComplex with the violations up to
+/// cut_regular unless `soup` is a coherently oriented, cut-regular pseudo-manifold of distinct
+/// cells (orphan vertices are kept and no violation here); std::length_error if ids do not suffice.
+/// Time: linear. Peak memory beyond the result, D = 3: 20 bytes per cell.
+template <int D>
+Complex<D> assemble(CellSoup<D> soup);
+
+/// A complex and what was done to the vertices to make it cut-regular.
+template <int D>
+struct Regularized {
+  Complex<D> complex;
+  std::vector<Split> splits;  // new vertices, ascending; empty: the input was cut-regular
+};
+
+/// As `assemble`, but first applies unglue(empty set): a vertex whose star falls into several parts
+/// gets a copy for each part but the one with its least corner. Copies are numbered from
+/// soup.vertex_count on. (Figure 8; T4 and T5 say that nothing else changes.)
+template <int D>
+Regularized<D> assemble_regularized(CellSoup<D> soup);
+
+}  // namespace cleave::topology

@@ -1,0 +1,29 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "cleave/topology/ids.hpp"
+
+namespace cleave::topology {
+
+/// Anything a mesh file may hold: a list of cells and nothing promised about them.
+/// `check` says what is wrong with it, `assemble` makes a Complex of it.
+template <int D>
+struct CellSoup {
+  std::vector<Cell<D>> cells;
+
+  /// Vertices are numbered 0 .. vertex_count-1; some may be used by no cell.
+  std::size_t vertex_count = 0;
+
+  /// Orientation of each cell relative to its tuple: +1 as written, -1 reversed. Empty: all +1.
+  /// `orient` computes signs that make the cells coherent, so tuples never need to be reordered.
+  std::vector<std::int8_t> signs;
+};
+
+/// Throws std::length_error if `cells` cells of dimension `dimension`, or `vertices` vertices, do
+/// not fit 32-bit ids (corners are numbered up to (dimension+1)*cells; the largest value is kept
+/// for "none"). Called by everything that numbers corners.
+void require_ids_suffice(int dimension, std::size_t cells, std::size_t vertices);
+
+}  // namespace cleave::topology

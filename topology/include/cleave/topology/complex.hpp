@@ -1,0 +1,103 @@
+#pragma once
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cleave/topology/ids.hpp"
+
+namespace cleave::topology {
+
+namespace detail {
+template <int D>
+struct ComplexAccess;  // the few functions that build or change a Complex
+}
+
+/// A validated value: a coherently oriented, cut-regular D-pseudo-manifold. Made by `assemble`;
+/// changed only by `unglue` and what is built on it, which keep that. Vertices carry no
+/// coordinates. Cells and half-facets never change their numbers.
+/// Memory for D = 3: 32 bytes per cell, 1 bit for its sign, 4 bytes per vertex.
+/// Const members may be called from several threads at once.
+template <int D>
+class Complex {
+  static_assert(D >= 1);
+
+ public:
+  static constexpr int dimension = D;
+
+  /// The empty complex.
+  Complex() = default;
+
+  std::size_t cell_count() const { return cells_.size(); }
+  std::size_t half_facet_count() const { return mates_.size(); }
+
+  /// Vertex ids are below this number. Some may be used by no cell.
+  std::size_t vertex_count() const { return a_corner_.size(); }
+
+  /// All cells, with their vertices in the order of the file.
+  std::span<const Cell<D>> cells() const { return cells_; }
+
+  /// The D+1 vertices of `cell`, in the order of the file.
+  const Cell<D>& vertices(CellId cell) const {
+    assert(cell.value < cells_.size());
+    return cells_[cell.value];
+  }
+
+  VertexId vertex(CornerId corner) const {
+    return vertices(cell_of<D>(corner))[static_cast<std::size_t>(local_index<D>(corner))];
+  }
+
+  /// The same facet seen from the other cell; none on the boundary. mate(*mate(h)) == h.
+  std::optional<HalfFacetId> mate(HalfFacetId h) const {
+    assert(h.value < mates_.size());
+    const HalfFacetId m = mates_[h.value];
+    if (m.value == kNone) return std::nullopt;
+    return m;
+  }
+
+  bool is_interior(HalfFacetId h) const { return mates_[h.value].value != kNone; }
+
+  /// +1 if the orientation of `cell` is that of its tuple, -1 if it is the reverse.
+  int sign(CellId cell) const { return reversed_[cell.value] ? -1 : 1; }
+
+  /// The D vertices of half-facet `h` in the order of the cell's tuple.
+  Facet<D> facet(HalfFacetId h) const {
+    const Cell<D>& cell = vertices(cell_of<D>(h));
+    Facet<D> facet{};
+    for (std::size_t from = 0, to = 0; from < cell.size(); ++from)
+      if (static_cast<int>(from) != local_index<D>(h)) facet[to++] = cell[from];
+    return facet;
+  }
+
+  /// The orientation that the cell induces on half-facet `h`, relative to the order of facet(h):
+  /// sign(cell) * (-1)^i. Mates induce opposite orientations on their common facet.
+  int facet_sign(HalfFacetId h) const {
+    return local_index<D>(h) % 2 == 0 ? sign(cell_of<D>(h)) : -sign(cell_of<D>(h));
+  }
+
+  /// Some corner at `vertex`; none if no cell uses the vertex.
+  std::optional<CornerId> a_corner(VertexId vertex) const {
+    assert(vertex.value < a_corner_.size());
+    const CornerId corner = a_corner_[vertex.value];
+    if (corner.value == kNone) return std::nullopt;
+    return corner;
+  }
+
+ private:
+  friend struct detail::ComplexAccess<D>;
+  static constexpr std::uint32_t kNone = UINT32_MAX;
+
+  std::vector<Cell<D>> cells_;
+  std::vector<HalfFacetId> mates_;
+  std::vector<bool> reversed_;
+  std::vector<CornerId> a_corner_;
+};
+
+/// The corners at `vertex`, one per cell of its star, in the order of the flood of Algorithm 5
+/// (which reaches the whole star because the complex is cut-regular, T13). Time: linear in the star.
+template <int D>
+std::vector<CornerId> star(const Complex<D>& k, VertexId vertex);
+
+}  // namespace cleave::topology

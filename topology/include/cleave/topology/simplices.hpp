@@ -1,0 +1,70 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cleave/topology/complex.hpp"
+
+namespace cleave::topology {
+
+/// The k-simplices of a complex, 0 <= k <= D, built on demand: every non-empty subset of a cell with
+/// k+1 vertices, once. A snapshot: it does not follow later cuts. Simplices are numbered in
+/// lexicographic order of their ascending vertices.
+template <int D>
+class Simplices {
+ public:
+  /// Time: O(n log n) in the number of (cell, k-face) pairs n; they are kept, for stars.
+  Simplices(const Complex<D>& k, int simplex_dimension);
+
+  int dimension() const { return k_; }
+  std::size_t count() const { return offsets_.empty() ? 0 : offsets_.size() - 1; }
+
+  /// The k+1 vertices of simplex `i`, ascending.
+  std::span<const VertexId> operator[](std::size_t i) const;
+
+  /// An oriented simplex found: its number, the parity of the tuple asked for relative to ascending
+  /// order (+1 even, -1 odd), and a cell that has it.
+  struct Found {
+    std::size_t index;
+    int sign;
+    CellId cell;
+  };
+
+  /// The simplex with these k+1 vertices in any order; none if the complex has no such simplex.
+  std::optional<Found> find(std::span<const VertexId> tuple) const;
+  bool contains(std::span<const VertexId> tuple) const { return find(tuple).has_value(); }
+
+  /// The cells around simplex `i`, ascending.
+  std::span<const CellId> star(std::size_t i) const;
+
+ private:
+  int k_;
+  std::vector<VertexId> vertices_;      // k+1 per simplex
+  std::vector<std::uint32_t> offsets_;  // into cells_, one more than simplices
+  std::vector<CellId> cells_;
+};
+
+/// A half-facet found by its oriented tuple; sign +1 if the cell induces the orientation of the
+/// tuple on it, -1 if it induces the opposite.
+struct FoundHalfFacet {
+  HalfFacetId half_facet;
+  int sign;
+};
+
+/// The half-facet with the vertices of `tuple` whose cell induces the tuple's orientation, with sign
+/// +1; if only the mate's side exists (boundary), that one with sign -1; none if the complex has no
+/// such facet. For D = 1 a tuple has one order, so the sign asked for is explicit.
+/// Time: linear in the star of tuple[0].
+template <int D>
+std::optional<FoundHalfFacet> find_half_facet(const Complex<D>& k, const Facet<D>& tuple,
+                                              int sign = 1);
+
+/// The simplices opposite `simplex` in the cells around it: each D-k vertices, ascending, in
+/// lexicographic order; for a vertex, the facets of its star opposite it. Empty if it is no simplex
+/// of the complex, or a cell. Time: linear in the star of simplex[0], and sorting.
+template <int D>
+std::vector<std::vector<VertexId>> link(const Complex<D>& k, std::span<const VertexId> simplex);
+
+}  // namespace cleave::topology
