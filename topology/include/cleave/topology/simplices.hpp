@@ -9,13 +9,15 @@
 
 namespace cleave::topology {
 
-/// The k-simplices of a complex, 0 <= k <= D, built on demand: every non-empty subset of a cell with
-/// k+1 vertices, once. A snapshot: it does not follow later cuts. Simplices are numbered in
+/// The k-simplices of a complex, 0 <= k <= D, built on demand: every non-empty subset of a cell
+/// with k+1 vertices, once. A snapshot: it does not follow later cuts. Simplices are numbered in
 /// lexicographic order of their ascending vertices.
 template <int D>
 class Simplices {
  public:
-  /// Time: O(n log n) in the number of (cell, k-face) pairs n; they are kept, for stars.
+  /// Time: O(n log n) in the number n of (cell, k-face) pairs; they are kept, for stars. Throws
+  /// std::invalid_argument unless 0 <= simplex_dimension <= D, std::length_error if n does not fit
+  /// 32 bits.
   Simplices(const Complex<D>& k, int simplex_dimension);
 
   int dimension() const { return k_; }
@@ -33,6 +35,7 @@ class Simplices {
   };
 
   /// The simplex with these k+1 vertices in any order; none if the complex has no such simplex.
+  /// Time: logarithmic.
   std::optional<Found> find(std::span<const VertexId> tuple) const;
   bool contains(std::span<const VertexId> tuple) const { return find(tuple).has_value(); }
 
@@ -53,10 +56,11 @@ struct FoundHalfFacet {
   int sign;
 };
 
-/// The half-facet with the vertices of `tuple` whose cell induces the tuple's orientation, with sign
-/// +1; if only the mate's side exists (boundary), that one with sign -1; none if the complex has no
-/// such facet. For D = 1 a tuple has one order, so the sign asked for is explicit.
-/// Time: linear in the star of tuple[0].
+/// The half-facet with the vertices of `tuple` whose cell induces the tuple's orientation, with
+/// sign +1; if only the mate's side exists (boundary), that one with sign -1; none if the complex
+/// has no such facet. For D = 1 a tuple has one order, so the sign asked for is explicit; in
+/// general `sign` = -1 asks for the reverse of the tuple. Throws std::invalid_argument for another
+/// sign. Time: linear in the star of tuple[0].
 template <int D>
 std::optional<FoundHalfFacet> find_half_facet(const Complex<D>& k, const Facet<D>& tuple,
                                               int sign = 1);
