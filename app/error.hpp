@@ -14,4 +14,11 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Output that cannot be written: what, where, why. main() prints it to stderr and exits with
+/// kBadInput; no partial file is left.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 }  // namespace cleave::app

@@ -11,11 +11,11 @@ namespace cleave::app {
 struct Elements {
   std::vector<std::uint32_t> vertices;  // dimension+1 per element: 0-based places in Mesh::points
   std::vector<std::uint64_t> numbers;   // the file's own number of each element
-  std::vector<std::int32_t> references; // integer tag of each element; 0: none. A group of its own
   std::size_t size() const { return numbers.size(); }
 };
 
-/// A named set of elements of one dimension: a physical group, a label, a reference.
+/// A named set of elements of one dimension: a physical group, a label, a reference. Groups may
+/// overlap. A reference 0, which formats with one integer per element use for "none", is no group.
 struct Group {
   std::string name;  // as the file has it; the integer in digits where the file has no names
   int dimension = 0;
@@ -30,16 +30,22 @@ struct Field {
   std::vector<double> values;  // components per entity
 };
 
+/// The two dialects of gmsh's .msh that are read and written.
+enum class MshVersion { k22, k41 };
+
 /// What a mesh file holds, nothing checked but its own grammar, order and numbers kept.
 struct Mesh {
-  std::string source;                           // the name to quote in messages
-  int dimension = 0;                            // highest dimension that has elements, 1 .. 3
-  std::vector<std::array<double, 3>> points;    // may hold values that are not finite: check's business
-  std::vector<std::uint64_t> vertex_numbers;    // the file's own, one per point
-  std::array<Elements, 4> elements;             // by dimension: vertices, edges, triangles, tetrahedra
-  std::vector<Group> groups;                    // by dimension, then tag
-  std::vector<Field> point_fields, cell_fields; // cell_fields: for elements of the highest dimension
-  bool two_dimensional_points = false;          // the format stored 2 coordinates (Medit Dimension 2)
+  std::string source;  // the name to quote in messages
+  int dimension = 0;   // highest dimension that has elements, 1 .. 3
+  std::vector<std::array<double, 3>>
+      points;  // may hold values that are not finite: check's business
+  std::vector<std::uint64_t> vertex_numbers;  // the file's own, one per point
+  std::array<Elements, 4> elements;  // by dimension: vertices, edges, triangles, tetrahedra
+  std::vector<Group> groups;         // by dimension, then tag
+  std::vector<Field> point_fields,
+      cell_fields;                           // cell_fields: for elements of the highest dimension
+  bool two_dimensional_points = false;       // the format stored 2 coordinates (Medit Dimension 2)
+  MshVersion msh_version = MshVersion::k41;  // of the .msh it was read from, and to write as .msh
 
   const Elements& cells() const { return elements[static_cast<std::size_t>(dimension)]; }
   const Elements& facets() const { return elements[static_cast<std::size_t>(dimension - 1)]; }

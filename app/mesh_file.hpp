@@ -1,0 +1,31 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "mesh.hpp"
+
+namespace cleave::app {
+
+/// Reads a mesh file; the extension names the format: `.mesh` (Medit), `.msh` (gmsh 2.2 and 4.1
+/// text), `.vtu` and `.vtk` (VTK unstructured grids). Names of groups are taken from
+/// `PATH.groups.json` where the format has none and that file lies beside the mesh.
+/// Throws InputError (file, line where the format has lines, the file's own numbers, what to do)
+/// for everything that is not a mesh of edges, triangles or tetrahedra in that format. Whether the
+/// mesh is any good (repeated cells, coordinates that are not finite, ...) is not its business.
+/// Cost: linear in the file, which is mapped or read once; memory is bounded by the file's size,
+/// whatever counts it claims.
+Mesh read_mesh(const std::filesystem::path& path);
+
+/// Writes a mesh in the format of the extension, completely or not at all (see OutputFile); order,
+/// tuples and, where the format has them, numbers are kept: `.msh` keeps the numbers of vertices
+/// and elements as long as they are distinct and positive, `.mesh`, `.vtu` and `.vtk` number by
+/// place. Groups of a format with one integer per element that have names, or overlap, are
+/// described in `PATH.groups.json`, which is removed when there is nothing to describe.
+/// The same mesh gives the same bytes: no date, path or version is written.
+/// Throws InputError for an extension that is not known, OutputError for everything else.
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
+
+/// Where the names of groups go when the format of `mesh_path` cannot hold them.
+std::filesystem::path groups_path(const std::filesystem::path& mesh_path);
+
+}  // namespace cleave::app

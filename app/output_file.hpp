@@ -1,0 +1,51 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "error.hpp"
+#include "temporaries.hpp"
+
+namespace cleave::app {
+
+/// One output file that is either written completely or not at all. The bytes go to a temporary
+/// name in the target's folder; commit() flushes them to the disk and renames. A destructor
+/// without commit, an error, SIGINT, SIGTERM and SIGHUP remove the temporary file, and what stood
+/// at the target before is still there. An existing file keeps its permissions; a symbolic link
+/// keeps pointing at the file, which is replaced. A target that is a device or a pipe is written
+/// directly. Every system call is checked: each failure (disk full, no such folder, ...) throws
+/// OutputError with the target and the reason.
+class OutputFile {
+ public:
+  explicit OutputFile(const std::filesystem::path& target);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Appends. Buffered: an error may show up in a later call, in commit() at the latest.
+  void write(std::string_view bytes);
+
+  /// Makes the file appear under its name. Call once, as the last thing.
+  void commit();
+
+ private:
+  void open_temporary();
+  void open_in_place();
+  void write_out(std::string_view bytes);
+  void close_descriptor();
+  void discard();
+  [[noreturn]] void fail(int error_number);
+
+  std::filesystem::path shown_;      // as the caller named it, for messages
+  std::filesystem::path target_;     // links resolved
+  std::filesystem::path temporary_;  // empty: written in place, or committed
+  std::unique_ptr<WatchedTemporary> watch_;
+  int descriptor_ = -1;
+  std::string buffer_;
+};
+
+/// Writes a whole file in the manner of OutputFile.
+void write_file(const std::filesystem::path& target, std::string_view bytes);
+
+}  // namespace cleave::app
