@@ -1,0 +1,62 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+
+#include "cleave/topology/ids.hpp"
+#include "cleave/topology/relabelling.hpp"
+
+namespace cleave::fem {
+
+/// Two different values were prescribed for one coordinate.
+class ContradictorySupport : public std::invalid_argument {
+ public:
+  ContradictorySupport(topology::VertexId at, int along, double first, double second);
+  topology::VertexId vertex;
+  int axis;
+  double earlier, later;
+};
+
+/// Prescribed displacements of single coordinates: the set B and the values p of the paper's
+/// Equation (2). Axes are 0, 1, 2 for x, y, z; values are displacements in the unit of the points.
+class Dirichlet {
+ public:
+  /// Prescribes one coordinate. The same value again changes nothing. Throws ContradictorySupport
+  /// for another value, std::invalid_argument for a value that is not finite or an axis not in
+  /// 0..2.
+  void prescribe(topology::VertexId vertex, int axis, double value);
+
+  /// All three coordinates of `vertex` at `value`.
+  void prescribe(topology::VertexId vertex, const Eigen::Vector3d& value);
+
+  /// Follows a change of the complex: what is prescribed at a vertex holds for all its copies, and
+  /// moves to the vertex that a copy is merged into. Throws ContradictorySupport if merged copies
+  /// disagree, and then nothing has changed.
+  void carry_over(const topology::Relabelling& change);
+
+  bool prescribes(topology::VertexId vertex, int axis) const {
+    return values_.count(coordinate(vertex, axis)) != 0;
+  }
+  std::size_t size() const { return values_.size(); }
+  bool empty() const { return values_.empty(); }
+
+  /// Coordinate 3*vertex + axis -> value, ascending.
+  const std::map<std::size_t, double>& values() const { return values_; }
+
+  /// Sets the prescribed coordinates of `u` to their values. Throws std::invalid_argument if one of
+  /// them lies beyond the end of `u`.
+  void impose(Eigen::VectorXd& u) const;
+
+  /// Sets the prescribed coordinates of `v` to zero: the orthogonal projection onto displacements
+  /// that keep the supports still. Throws as `impose`.
+  void project(Eigen::VectorXd& v) const;
+
+ private:
+  static std::size_t coordinate(topology::VertexId vertex, int axis) {
+    return 3 * static_cast<std::size_t>(vertex.value) + static_cast<std::size_t>(axis);
+  }
+  std::map<std::size_t, double> values_;
+};
+
+}  // namespace cleave::fem
