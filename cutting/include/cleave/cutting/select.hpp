@@ -1,6 +1,9 @@
 #pragma once
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "cleave/cutting/sweep.hpp"
 #include "cleave/topology/complex.hpp"
@@ -8,15 +11,19 @@
 
 namespace cleave::cutting {
 
-/// How facets are chosen (DESIGN: docs/selection.md has the evidence).
-/// dual_edge: a facet is chosen when the segment between the dual points of its two cells crosses the
-/// step an odd number of times (definition D1, theorem B: never an odd ridge away from the rim).
-/// nearest_vertex: the paper's rule, section 3: union of the closest-vertex sets over the step; a
-/// cell whose set has exactly three vertices (D = 3; two when D = 2) chooses the facet they span.
+/// How facets are chosen. docs/selection.md compares the rules.
+/// dual_edge: a facet is chosen when the segment between the dual points of its two cells crosses
+/// the step an odd number of times. Then an interior ridge whose cells the rim of the step stays
+/// away from has an even number of chosen facets, and a step with its rim outside the body chooses
+/// exactly the facets between two sets of cells.
+/// nearest_vertex: Nienhuys & van der Stappen 2000, section 3: where an edge of a cell crosses the
+/// step, the end closest to the crossing is put into the cell's set; a cell whose set has exactly D
+/// vertices chooses the facet they span.
 enum class Rule { dual_edge, nearest_vertex };
 
-/// nearest_vertex only: whether an edge whose ends are equally close selects both (the paper's text)
-/// or the one with the lesser id, so that no tie alone selects a whole cell (Lemma 1, mended).
+/// nearest_vertex only: which end of an edge is put into the set when both are equally close: the
+/// one with the lesser id, so that one plane puts at most D vertices of a cell into its set (Lemma
+/// 1, mended), or both, which is the paper's text.
 enum class Ties { by_id, both };
 
 struct SelectOptions {
@@ -24,23 +31,42 @@ struct SelectOptions {
   Ties ties = Ties::by_id;
 };
 
-/// Answers, for one complex in rest coordinates, which interior facets a step of a sweep chooses.
-/// Holds references to `k` and `points`; follows cuts of `k` by reading it anew (points must have
-/// one entry per vertex of `k`, copies at their parent's place). All signs are exact on the doubles
-/// given; on an exact zero the sweep counts as translated by (e, e^2, e^3), e -> 0+.
+/// The dual point of a cell: the centroid of its vertices in doubles. All facets of the cell share
+/// it to the last bit, which is what the dual-edge rule relies on.
 template <int D>
-  requires(D == 2 || D == 3)
-class Selector {
+Point<D> dual_point(const topology::Complex<D>& k, const std::vector<Point<D>>& points,
+                    topology::CellId cell);
+
+/// Answers, for one complex in rest coordinates, which interior facets a step of a sweep chooses.
+/// Holds references to `k` and `points` and reads them anew each time, so it follows cuts of `k`
+/// (`points` must be extended by one entry per copy, at its parent's place); it must be made anew
+/// after anything that gives facets back their mates. All signs are exact on the doubles given. On
+/// an exact zero the sweep counts as translated by (e, e^2, e^3), e -> 0+; simplices that are flat
+/// choose nothing. Const members may be called from several threads at once.
+template <int D>
+requires(D == 2 || D == 3) class Selector {
  public:
-  /// Time: linear in the cells (dual points, search index).
+  using Simplex = std::array<Point<D>, static_cast<std::size_t>(D)>;
+
+  /// Throws std::invalid_argument if `points` has not one entry per vertex of `k`, or a vertex of a
+  /// cell has a coordinate that is not finite.
+  /// Time: O(n log n) in the cells. Memory: 20 to 40 bytes per cell, and 50 more while it is built.
   Selector(const topology::Complex<D>& k, const std::vector<Point<D>>& points,
            SelectOptions options = {});
   ~Selector();
   Selector(Selector&&) noexcept;
   Selector& operator=(Selector&&) noexcept;
 
-  /// The interior facets that step `step` of `sweep` chooses. Throws std::invalid_argument for a
-  /// coordinate that is not finite.
+  /// The interior facets that `simplices`, taken as one step, choose. Throws std::invalid_argument
+  /// for a coordinate that is not finite.
+  /// Time: per simplex logarithmic in the cells, plus some signs for each cell whose surroundings
+  /// (of a few cells) the simplex, widened to its bounding box within its own plane, passes
+  /// through.
+  topology::FacetSet select(std::span<const Simplex> simplices) const;
+
+  /// The same for step `step` of `sweep`; steps from step_count() on are empty. Throws
+  /// std::invalid_argument for a sweep that require_valid refuses, which is checked in linear time:
+  /// who walks through many steps calls require_valid once, and `select`.
   topology::FacetSet select_step(const Sweep<D>& sweep, std::size_t step) const;
 
  private:

@@ -6,18 +6,25 @@
 
 namespace cleave::cutting {
 
-/// What a stroke did.
+/// What a stroke did. Facets are named by the lesser half-facet of the complex as it was before.
 struct StrokeResult {
-  std::vector<topology::Relabelling> changes;  // one per step that scored or took back a facet, in order
-  topology::FacetSet scored;  // all facets the stroke scored and left scored, opened and shut, named by
-                              // the lesser half-facet of the complex as it was before the stroke
+  /// One per step that chose a facet, in order. Their `shut` lists all facets of the incision that
+  /// are shut, those of earlier strokes among them.
+  std::vector<topology::Relabelling> changes;
+
+  /// The facets that the stroke scored and did not take back, opened and shut; also those among
+  /// them that an earlier stroke had scored already.
+  topology::FacetSet scored;
 };
 
-/// Cuts along `sweep`, step by step, opening each step's facets at once (definition D2): a facet this
-/// stroke left shut toggles with each later step that chooses it, an opened one is frozen, so a blade
-/// drawn back along its path leaves the cut it made and adds nothing. Nothing is carried from one
-/// stroke to the next; facets other strokes left shut stay scored.
-/// `points` has one entry per vertex of the incision's complex and is extended for copies.
+/// Cuts along `sweep`, step by step, opening each step's facets at once: a facet that this stroke
+/// scored and that is shut toggles with each later step that chooses it, an opened one is frozen,
+/// so a blade drawn back along its path leaves the cut it made and adds nothing. Nothing is carried
+/// from one stroke to the next; facets that other strokes left shut stay scored.
+/// `points` has one entry per vertex of the incision's complex, in rest coordinates, and is
+/// extended for copies. Throws std::invalid_argument for bad points or a bad sweep, as Selector and
+/// require_valid do, and then nothing has changed; else as Incision::cut, and then the steps before
+/// are done. Time: that of a Selector, plus per step that of `select` and of the cut.
 template <int D>
 StrokeResult cut_along(topology::Incision<D>& incision, std::vector<Point<D>>& points,
                        const Sweep<D>& sweep, SelectOptions options = {},

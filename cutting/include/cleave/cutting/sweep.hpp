@@ -18,19 +18,26 @@ using Point = std::array<double, static_cast<std::size_t>(D)>;
 template <int D>
 struct Sweep {
   std::vector<std::array<Point<D>, static_cast<std::size_t>(D)>> simplices;
-  std::vector<std::uint32_t> step_of;  // step of each simplex, ascending from 0
+  std::vector<std::uint32_t> step_of;  // step of each simplex, ascending; a number may be left out
 
-  std::size_t step_count() const { return step_of.empty() ? 0 : step_of.back() + 1u; }
+  /// One more than the last step's number; 0 for an empty sweep.
+  std::size_t step_count() const { return step_of.empty() ? 0 : step_of.back() + std::size_t{1}; }
 
-  /// The simplices of one step, as [first, last).
+  /// The simplices of step `k`, as [first, last) into `simplices`; empty where a number was left
+  /// out. Time: logarithmic.
   std::pair<std::size_t, std::size_t> step(std::size_t k) const;
 };
 
+/// Throws std::invalid_argument unless each simplex has a step, steps ascend, and all coordinates
+/// are finite; the message names the simplex. Time: linear.
+template <int D>
+void require_valid(const Sweep<D>& sweep);
+
 /// A blade's successive positions, each its two ends: consecutive pairs (p0,q0), (p1,q1) span the
-/// triangles (p0,q0,p1) and (q0,q1,p1), one step per pair.
+/// triangles (p0,q0,p1) and (q0,q1,p1), one step per pair. Fewer than two positions sweep nothing.
 Sweep<3> sweep_of_blade(std::span<const std::array<Point<3>, 2>> positions);
 
-/// A polyline in the plane, one step per segment.
+/// A polyline in the plane, one step per segment. Fewer than two points sweep nothing.
 Sweep<2> sweep_of_polyline(std::span<const Point<2>> points);
 
 }  // namespace cleave::cutting

@@ -1,0 +1,217 @@
+#include "cleave/cutting/select.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "box_tree.hpp"
+#include "cleave/cutting/predicates.hpp"
+#include "finite.hpp"
+
+namespace cleave::cutting {
+
+using topology::CellId;
+using topology::Complex;
+using topology::FacetSet;
+using topology::HalfFacetId;
+
+template <int D>
+Point<D> dual_point(const Complex<D>& k, const std::vector<Point<D>>& points, CellId cell) {
+  // Quarters cannot overflow, and are exact above the denormals.
+  Point<D> sum{};
+  for (const topology::VertexId v : k.vertices(cell))
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += 0.25 * points[v.value][i];
+  for (double& x : sum) x /= 0.25 * (D + 1);
+  return sum;
+}
+
+namespace {
+
+/// The half-facets of `cell` that name an interior facet: those less than their mate.
+template <int D, class Visit>
+void for_lesser_half_facets(const Complex<D>& k, CellId cell, Visit visit) {
+  for (int i = 0; i <= D; ++i) {
+    const HalfFacetId h = topology::half_facet<D>(cell, i);
+    const std::optional<HalfFacetId> mate = k.mate(h);
+    if (mate && h < *mate) visit(h, *mate);
+  }
+}
+
+template <int D>
+Box<D> box_of_vertices(const Complex<D>& k, const std::vector<Point<D>>& points, CellId cell) {
+  const topology::Cell<D>& vertices = k.vertices(cell);
+  Box<D> box{points[vertices[0].value], points[vertices[0].value]};
+  for (const topology::VertexId v : vertices)
+    detail::include(box, {points[v.value], points[v.value]});
+  return box;
+}
+
+/// Around the dual edges that `cell` names; the dual point alone if there is none.
+template <int D>
+Box<D> box_of_dual_edges(const Complex<D>& k, const std::vector<Point<D>>& points, CellId cell) {
+  const Point<D> own = dual_point(k, points, cell);
+  Box<D> box{own, own};
+  for_lesser_half_facets(k, cell, [&](HalfFacetId, HalfFacetId mate) {
+    const Point<D> other = dual_point(k, points, topology::cell_of<D>(mate));
+    detail::include(box, {other, other});
+  });
+  return box;
+}
+
+/// The elements that occur an odd number of times. Sorts.
+std::vector<HalfFacetId> odd_ones(std::vector<HalfFacetId> all) {
+  std::sort(all.begin(), all.end());
+  std::vector<HalfFacetId> odd;
+  for (std::size_t i = 0; i < all.size();) {
+    const std::size_t first = i;
+    while (i < all.size() && all[i] == all[first]) ++i;
+    if ((i - first) % 2 == 1) odd.push_back(all[first]);
+  }
+  return odd;
+}
+
+template <int D>
+void require_points(const Complex<D>& k, const std::vector<Point<D>>& points) {
+  if (points.size() != k.vertex_count())
+    throw std::invalid_argument("selection: " + std::to_string(points.size()) + " points for " +
+                                std::to_string(k.vertex_count()) + " vertices");
+  for (const topology::Cell<D>& cell : k.cells())
+    for (const topology::VertexId v : cell)
+      if (!detail::is_finite<D>(points[v.value]))
+        throw std::invalid_argument("selection: vertex " + std::to_string(v.value) +
+                                    " has a coordinate that is not finite");
+}
+
+}  // namespace
+
+template <int D>
+requires(D == 2 || D == 3) struct Selector<D>::Impl {
+  const Complex<D>* k;
+  const std::vector<Point<D>>* points;
+  SelectOptions options;
+  detail::BoxTree<D> tree;
+
+  Impl(const Complex<D>& complex, const std::vector<Point<D>>& places, SelectOptions chosen)
+      : k(&complex), points(&places), options(chosen) {
+    require_points(complex, places);
+    std::vector<Box<D>> boxes(complex.cell_count());
+    for (std::uint32_t c = 0; c < boxes.size(); ++c)
+      boxes[c] = options.rule == Rule::dual_edge ? box_of_dual_edges(complex, places, CellId{c})
+                                                 : box_of_vertices(complex, places, CellId{c});
+    tree = detail::BoxTree<D>(boxes);
+  }
+
+  /// Appends the facets whose dual edge crosses `simplex`.
+  void cross_dual_edges(const SweptSimplex<D>& simplex, std::vector<HalfFacetId>& crossed) const {
+    tree.visit_near(simplex, [&](std::uint32_t cell) {
+      const Point<D> own = dual_point(*k, *points, CellId{cell});
+      std::optional<int> own_side;  // found once it is asked for
+      for_lesser_half_facets(*k, CellId{cell}, [&](HalfFacetId h, HalfFacetId mate) {
+        const Point<D> other = dual_point(*k, *points, topology::cell_of<D>(mate));
+        Box<D> box{own, own};
+        detail::include(box, {other, other});
+        if (!simplex.may_meet(box)) return;
+        if (!own_side) own_side = simplex.side(own);
+        if (*own_side != simplex.side(other) && simplex.crossed_between_sides(own, other))
+          crossed.push_back(h);
+      });
+    });
+  }
+
+  /// The local vertices of a cell that its edges across `simplex` put into its set, as bits.
+  unsigned nearest_vertices(const SweptSimplex<D>& simplex, CellId cell) const {
+    if (!simplex.may_meet(box_of_vertices(*k, *points, cell))) return 0;
+    const topology::Cell<D>& vertices = k->vertices(cell);
+    std::array<int, D + 1> side;
+    for (std::size_t i = 0; i < side.size(); ++i)
+      side[i] = simplex.side((*points)[vertices[i].value]);
+    unsigned nearest = 0;
+    for (std::size_t i = 0; i < side.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const Point<D>&p = (*points)[vertices[i].value], &q = (*points)[vertices[j].value];
+        if (side[i] == side[j] || !simplex.crossed_between_sides(p, q)) continue;
+        int order = simplex.compare_heights(p, q);
+        if (order == 0 && options.ties == Ties::by_id) order = vertices[i] < vertices[j] ? -1 : 1;
+        if (order <= 0) nearest |= 1u << i;
+        if (order >= 0) nearest |= 1u << j;
+      }
+    return nearest;
+  }
+
+  FacetSet by_dual_edge(std::span<const SweptSimplex<D>> step) const {
+    std::vector<HalfFacetId> crossed;
+    for (const SweptSimplex<D>& simplex : step) cross_dual_edges(simplex, crossed);
+    return FacetSet::of_lesser(odd_ones(std::move(crossed)));
+  }
+
+  FacetSet by_nearest_vertex(std::span<const SweptSimplex<D>> step) const {
+    std::vector<std::pair<std::uint32_t, unsigned>> sets;  // cell, some vertices of its set
+    for (const SweptSimplex<D>& simplex : step)
+      tree.visit_near(simplex, [&](std::uint32_t cell) {
+        if (const unsigned nearest = nearest_vertices(simplex, CellId{cell}))
+          sets.emplace_back(cell, nearest);
+      });
+    std::sort(sets.begin(), sets.end());
+    std::vector<HalfFacetId> chosen;
+    for (std::size_t i = 0; i < sets.size();) {
+      const CellId cell{sets[i].first};
+      unsigned set = 0;
+      for (; i < sets.size() && sets[i].first == cell.value; ++i) set |= sets[i].second;
+      if (std::popcount(set) != D) continue;
+      const HalfFacetId h = topology::half_facet<D>(cell, std::countr_one(set));
+      if (const std::optional<HalfFacetId> mate = k->mate(h)) chosen.push_back(std::min(h, *mate));
+    }
+    return FacetSet::of_lesser(std::move(chosen));
+  }
+
+  FacetSet select(std::span<const Simplex> simplices) const {
+    std::vector<SweptSimplex<D>> step;
+    for (const Simplex& corners : simplices)
+      if (const SweptSimplex<D> simplex(corners); !simplex.is_flat()) step.push_back(simplex);
+    return options.rule == Rule::dual_edge ? by_dual_edge(step) : by_nearest_vertex(step);
+  }
+};
+
+template <int D>
+requires(D == 2 || D == 3) Selector<D>::Selector(const Complex<D>& k,
+                                                 const std::vector<Point<D>>& points,
+                                                 SelectOptions options)
+    : impl_(std::make_unique<Impl>(k, points, options)) {}
+
+template <int D>
+requires(D == 2 || D == 3) Selector<D>::~Selector() = default;
+
+template <int D>
+requires(D == 2 || D == 3) Selector<D>::Selector(Selector&&)
+noexcept = default;
+
+template <int D>
+requires(D == 2 || D == 3) Selector<D>
+&Selector<D>::operator=(Selector&&) noexcept = default;
+
+template <int D>
+requires(D == 2 || D == 3) FacetSet Selector<D>::select(std::span<const Simplex> simplices)
+const {
+  detail::require_finite<D>(simplices, 0);
+  return impl_->select(simplices);
+}
+
+template <int D>
+requires(D == 2 || D == 3) FacetSet Selector<D>::select_step(const Sweep<D>& sweep,
+                                                             std::size_t step)
+const {
+  require_valid(sweep);
+  const auto [first, last] = sweep.step(step);
+  return impl_->select(std::span(sweep.simplices).subspan(first, last - first));
+}
+
+template Point<2> dual_point(const Complex<2>&, const std::vector<Point<2>>&, CellId);
+template Point<3> dual_point(const Complex<3>&, const std::vector<Point<3>>&, CellId);
+template class Selector<2>;
+template class Selector<3>;
+
+}  // namespace cleave::cutting

@@ -1,0 +1,41 @@
+#include "cleave/cutting/stroke.hpp"
+
+#include <cstddef>
+#include <span>
+
+#include "cleave/topology/carry_over.hpp"
+
+namespace cleave::cutting {
+
+using topology::FacetSet;
+
+template <int D>
+StrokeResult cut_along(topology::Incision<D>& incision, std::vector<Point<D>>& points,
+                       const Sweep<D>& sweep, SelectOptions options, topology::Verify verify) {
+  require_valid(sweep);
+  const Selector<D> selector(incision.complex(), points, options);
+  const FacetSet left_by_others = incision.shut();
+  StrokeResult result;
+  FacetSet pending, opened;  // scored by this stroke: shut still, and not
+  for (std::size_t first = 0, last = 0; first < sweep.simplices.size(); first = last) {
+    last = sweep.step(sweep.step_of[first]).second;
+    const FacetSet chosen =
+        selector.select(std::span(sweep.simplices).subspan(first, last - first));
+    if (chosen.empty()) continue;
+    incision.forget_shut((pending & chosen) - left_by_others);
+    const FacetSet scored = pending ^ chosen;
+    result.changes.push_back(incision.cut(scored, verify));
+    topology::carry_over(points, result.changes.back());
+    pending = scored & incision.shut();
+    opened = opened | (scored - pending);
+  }
+  result.scored = opened | pending;
+  return result;
+}
+
+template StrokeResult cut_along(topology::Incision<2>&, std::vector<Point<2>>&, const Sweep<2>&,
+                                SelectOptions, topology::Verify);
+template StrokeResult cut_along(topology::Incision<3>&, std::vector<Point<3>>&, const Sweep<3>&,
+                                SelectOptions, topology::Verify);
+
+}  // namespace cleave::cutting
