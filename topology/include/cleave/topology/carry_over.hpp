@@ -6,8 +6,8 @@
 namespace cleave::topology {
 
 /// Extends data held per vertex after a cut: each new vertex gets the value of its parent.
-/// `per_vertex` has change.vertices_before entries and gets change.vertices_after. Data on cells and
-/// half-facets needs nothing, since their numbers never change. Time: linear in the copies.
+/// `per_vertex` has change.vertices_before entries and gets change.vertices_after. Data on cells
+/// and half-facets needs nothing, since their numbers never change. Time: linear in the copies.
 template <class T>
 void carry_over(std::vector<T>& per_vertex, const Relabelling& change) {
   per_vertex.resize(change.vertices_after);

@@ -96,7 +96,8 @@ class Complex {
 };
 
 /// The corners at `vertex`, one per cell of its star, in the order of the flood of Algorithm 5
-/// (which reaches the whole star because the complex is cut-regular, T13). Time: linear in the star.
+/// (which reaches the whole star because the complex is cut-regular, T13). Time: linear in the
+/// star.
 template <int D>
 std::vector<CornerId> star(const Complex<D>& k, VertexId vertex);
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "cleave/topology/complex.hpp"
@@ -26,14 +27,19 @@ class Incision {
   /// The vertex of the original complex that `vertex` is, or is a copy of.
   VertexId original(VertexId vertex) const;
 
-  /// Opened facets in terms of the original complex (lesser half-facet; former mate; by), ascending.
-  std::span<const OpenedFacet> opened() const { return opened_; }
+  /// The opened facets, ascending, each with its former mates; `by` is a vertex of the original
+  /// complex. Time: linear in them, and sorting.
+  std::vector<OpenedFacet> opened() const;
 
   /// Scored facets that are interior still.
   const FacetSet& shut() const { return shut_; }
 
   /// All scored facets: opened and shut.
   FacetSet scored() const;
+
+  /// The facets of these half-facets, which may be interior now or opened by this incision. Throws
+  /// NotInterior for any other.
+  FacetSet facets(std::span<const HalfFacetId> half_facets) const;
 
   /// Scores `facets` as well, and opens what can be opened (T8: cutting in stages equals cutting at
   /// once). Facets scored before may be named again; that changes nothing. Of the result, `opened`
@@ -50,14 +56,19 @@ class Incision {
   Complex<D> complex_;
   std::size_t original_vertex_count_ = 0;
   std::vector<VertexId> original_of_copy_;  // of vertex original_vertex_count_ + i
-  std::vector<OpenedFacet> opened_;
+  struct Side {
+    HalfFacetId former_mate;
+    VertexId by;
+  };
+  std::unordered_map<HalfFacetId, Side>
+      sides_;  // of opened facets, both; with the mates to restore
   FacetSet shut_;
 };
 
-/// The numbering every writer uses: result[v] is the number of vertex v. Original vertices keep their
-/// numbers, copies follow by (original vertex, least corner). It depends on the scored set alone, so
-/// the same set gives the same bytes. Unused ids get the largest value of uint32. Time: linear in
-/// the number of copies and vertices, and in the stars of copies.
+/// The numbering every writer uses: result[v] is the number of vertex v. Original vertices keep
+/// their numbers, copies follow by (original vertex, least corner). It depends on the scored set
+/// alone, so the same set gives the same bytes. Unused ids get the largest value of uint32. Time:
+/// linear in the number of copies and vertices, and in the stars of copies.
 template <int D>
 std::vector<VertexId> canonical(const Incision<D>& incision);
 

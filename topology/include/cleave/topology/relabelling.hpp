@@ -41,7 +41,8 @@ struct Relabelling {
   std::vector<Split> splits;                            // ascending by vertex
   std::vector<Merge> merges;                            // ascending by vertex
   std::vector<OpenedFacet> opened;                      // ascending by half_facet
-  std::vector<HalfFacetId> shut;  // facets asked for that stay interior: the lesser half-facets, ascending
+  std::vector<HalfFacetId>
+      shut;  // facets asked for that stay interior: the lesser half-facets, ascending
 
   /// The vertex that `vertex` copies, or `vertex` itself if it is no copy made by this change.
   VertexId parent(VertexId vertex) const;

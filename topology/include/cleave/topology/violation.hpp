@@ -41,8 +41,8 @@ struct OrientationConflict {
   HalfFacetId one, other;
 };
 /// No choice of signs is coherent. Walk the loop to see it: leave the cell of loop[i] through
-/// loop[i] into the cell of loop[i+1] (cyclic); an odd number of these steps join tuples that induce
-/// the same orientation on the facet between them.
+/// loop[i] into the cell of loop[i+1] (cyclic); an odd number of these steps join tuples that
+/// induce the same orientation on the facet between them.
 struct NonOrientable {
   std::vector<HalfFacetId> loop;
 };
@@ -69,16 +69,16 @@ struct OrphanVertex {
   VertexId vertex;
 };
 
-using Violation =
-    std::variant<DegenerateCell, VertexOutOfRange, DuplicateCell, FacetInThreeCells,
-                 OrientationConflict, NonOrientable, NotCutRegular, PinchedSimplex, BadVertexLink,
-                 OrphanVertex>;
+using Violation = std::variant<DegenerateCell, VertexOutOfRange, DuplicateCell, FacetInThreeCells,
+                               OrientationConflict, NonOrientable, NotCutRegular, PinchedSimplex,
+                               BadVertexLink, OrphanVertex>;
 
 /// The rule a violation breaks, as the command line and JSON name it: "duplicate-cell", ..
 std::string_view rule(const Violation& violation);
 
-/// The first level that a complex with this violation does not reach; Level::none for an orphan
-/// vertex, which keeps no complex from any level.
+/// The first level that a complex with this violation does not reach. Level::none where the
+/// violation keeps it from no level: an orphan vertex, and orientation, which the levels do not
+/// speak of (but `assemble` asks for).
 Level breaks(const Violation& violation);
 
 /// One line of plain words with the 0-based ids of the witness.

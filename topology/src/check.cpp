@@ -1,0 +1,135 @@
+#include "cleave/topology/check.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "facet_matching.hpp"
+#include "orientation.hpp"
+#include "parts.hpp"
+#include "soundness.hpp"
+#include "star_levels.hpp"
+
+namespace cleave::topology {
+namespace {
+
+template <int D>
+void find_orientation_faults(const CellSoup<D>& soup, const std::vector<HalfFacetId>& mates,
+                             std::vector<Violation>& found) {
+  const detail::Orientation orientation = detail::orientation<D>(soup.cells, mates);
+  const auto sign = [&](CellId c) { return soup.signs.empty() ? 1 : soup.signs[c.value]; };
+  for (std::uint32_t h = 0; h < mates.size(); ++h) {
+    const HalfFacetId mate = mates[h];
+    if (mate.value == detail::kNone || mate.value < h) continue;
+    const CellId cell = cell_of<D>(HalfFacetId{h});
+    if (!orientation.orientable[orientation.piece_of_cell[cell.value]]) continue;
+    const bool as_written = detail::opposite_as_written<D>(soup.cells, HalfFacetId{h}, mate);
+    if (as_written != (sign(cell) == sign(cell_of<D>(mate))))
+      found.push_back(OrientationConflict{HalfFacetId{h}, mate});
+  }
+  found.insert(found.end(), orientation.loops.begin(), orientation.loops.end());
+}
+
+/// Vertices whose star falls into several parts, ascending; and them as violations.
+template <int D>
+std::vector<VertexId> find_irregular_vertices(const std::vector<Cell<D>>& cells,
+                                              const std::vector<HalfFacetId>& mates,
+                                              std::size_t vertex_count,
+                                              std::vector<Violation>& found) {
+  std::vector<CornerId> first(vertex_count, CornerId{detail::kNone});
+  std::map<VertexId, NotCutRegular> irregular;
+  for (const detail::VertexPart& part : detail::vertex_parts<D>(cells, mates)) {
+    CornerId& known = first[part.vertex.value];
+    if (known.value == detail::kNone) {
+      known = part.least;
+      continue;
+    }
+    const auto entry = irregular.try_emplace(
+        part.vertex, NotCutRegular{part.vertex, cell_of<D>(known), cell_of<D>(part.least), 1});
+    ++entry.first->second.parts;
+  }
+  std::vector<VertexId> vertices;
+  for (const auto& [vertex, violation] : irregular) {
+    vertices.push_back(vertex);
+    found.push_back(violation);
+  }
+  return vertices;
+}
+
+template <int D>
+void find_orphans(const CellSoup<D>& soup, std::vector<Violation>& found) {
+  std::vector<bool> used(soup.vertex_count, false);
+  for (const Cell<D>& cell : soup.cells)
+    for (const VertexId v : cell)
+      if (v.value < soup.vertex_count) used[v.value] = true;
+  for (std::uint32_t v = 0; v < soup.vertex_count; ++v)
+    if (!used[v]) found.push_back(OrphanVertex{VertexId{v}});
+}
+
+}  // namespace
+
+template <int D>
+std::vector<Violation> check(const CellSoup<D>& soup, Level level) {
+  require_ids_suffice(D, soup.cells.size(), soup.vertex_count);
+  std::vector<Violation> found = detail::unsound_cells(soup);
+  if (found.empty() && level >= Level::pseudo_manifold) {
+    const detail::FacetMatching matching = detail::match_facets<D>(soup.cells, soup.vertex_count);
+    for (const auto& [first, second] : matching.duplicates)
+      found.push_back(DuplicateCell{first, second});
+    for (const auto& crowd : matching.crowded) found.push_back(FacetInThreeCells{crowd});
+    if (found.empty()) {
+      find_orientation_faults(soup, matching.mates, found);
+      std::vector<VertexId> irregular;
+      if (level >= Level::cut_regular)
+        irregular =
+            find_irregular_vertices<D>(soup.cells, matching.mates, soup.vertex_count, found);
+      std::vector<VertexId> pinched;
+      if (level >= Level::edge_regular)
+        pinched = detail::find_pinched_simplices<D>(soup.cells, matching.mates, found);
+      if (level >= Level::manifold) {
+        irregular.insert(irregular.end(), pinched.begin(), pinched.end());
+        std::sort(irregular.begin(), irregular.end());
+        detail::find_bad_links<D>(soup.cells, matching.mates, soup.vertex_count, irregular, found);
+      }
+    }
+  }
+  find_orphans(soup, found);
+  return found;
+}
+
+Level level_reached(int dimension, const std::vector<Violation>& violations) {
+  Level reached = dimension <= 3 ? Level::manifold : Level::edge_regular;
+  for (const Violation& violation : violations) {
+    const Level broken = breaks(violation);
+    if (broken != Level::none && broken <= reached)
+      reached = static_cast<Level>(static_cast<int>(broken) - 1);
+  }
+  return reached;
+}
+
+template <int D>
+std::variant<std::vector<std::int8_t>, NonOrientable> orient(const CellSoup<D>& soup) {
+  require_ids_suffice(D, soup.cells.size(), soup.vertex_count);
+  std::vector<Violation> unsound = detail::unsound_cells(soup);
+  if (!unsound.empty()) throw InvalidComplex(std::move(unsound));
+  const detail::FacetMatching matching = detail::match_facets<D>(soup.cells, soup.vertex_count);
+  if (!matching.crowded.empty()) {
+    std::vector<Violation> crowded;
+    for (const auto& crowd : matching.crowded) crowded.push_back(FacetInThreeCells{crowd});
+    throw InvalidComplex(std::move(crowded));
+  }
+  detail::Orientation orientation = detail::orientation<D>(soup.cells, matching.mates);
+  if (!orientation.loops.empty()) return std::move(orientation.loops.front());
+  return std::move(orientation.signs);
+}
+
+#define CLEAVE_INSTANTIATE(D)                                          \
+  template std::vector<Violation> check<D>(const CellSoup<D>&, Level); \
+  template std::variant<std::vector<std::int8_t>, NonOrientable> orient<D>(const CellSoup<D>&);
+CLEAVE_INSTANTIATE(1)
+CLEAVE_INSTANTIATE(2)
+CLEAVE_INSTANTIATE(3)
+CLEAVE_INSTANTIATE(4)
+#undef CLEAVE_INSTANTIATE
+
+}  // namespace cleave::topology

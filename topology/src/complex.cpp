@@ -1,0 +1,39 @@
+#include "cleave/topology/complex.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "cleave/topology/cell_soup.hpp"
+#include "flood.hpp"
+
+namespace cleave::topology {
+
+void require_ids_suffice(int dimension, std::size_t cells, std::size_t vertices) {
+  const auto corners_per_cell = static_cast<std::size_t>(dimension) + 1;
+  if (cells > (detail::kNone - std::size_t{1}) / corners_per_cell)
+    throw std::length_error(std::to_string(cells) + " cells of dimension " +
+                            std::to_string(dimension) +
+                            " have more corners than 32-bit ids can number");
+  if (vertices >= detail::kNone)
+    throw std::length_error(std::to_string(vertices) +
+                            " vertices are more than 32-bit ids can number");
+}
+
+template <int D>
+std::vector<CornerId> star(const Complex<D>& k, VertexId vertex) {
+  std::vector<CornerId> corners;
+  const auto start = k.a_corner(vertex);
+  if (!start) return corners;
+  using Access = detail::ComplexAccess<D>;
+  detail::CornerSet seen;
+  detail::flood<D>(Access::cells(k), Access::mates(k), *start, vertex, corners,
+                   [&](CornerId corner) { return seen.insert(corner); });
+  return corners;
+}
+
+template std::vector<CornerId> star<1>(const Complex<1>&, VertexId);
+template std::vector<CornerId> star<2>(const Complex<2>&, VertexId);
+template std::vector<CornerId> star<3>(const Complex<3>&, VertexId);
+template std::vector<CornerId> star<4>(const Complex<4>&, VertexId);
+
+}  // namespace cleave::topology

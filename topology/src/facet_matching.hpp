@@ -1,0 +1,135 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "cleave/topology/violation.hpp"
+#include "complex_access.hpp"
+
+namespace cleave::topology::detail {
+
+/// Who shares a facet with whom.
+struct FacetMatching {
+  std::vector<HalfFacetId> mates;  // kNone: boundary, or in a crowded facet
+  std::vector<std::vector<HalfFacetId>>
+      crowded;  // half-facets of each facet in three cells or more
+  std::vector<std::pair<CellId, CellId>> duplicates;  // cells with the same vertices
+};
+
+/// The vertices of half-facet `h` without its least one, which the bucket knows, ascending.
+template <int D>
+std::array<VertexId, static_cast<std::size_t>(D) - 1> facet_key(const std::vector<Cell<D>>& cells,
+                                                                HalfFacetId h) {
+  Facet<D> facet{};
+  const Cell<D>& cell = cells[cell_of<D>(h).value];
+  for (std::size_t from = 0, to = 0; from < cell.size(); ++from)
+    if (static_cast<int>(from) != local_index<D>(h)) facet[to++] = cell[from];
+  std::sort(facet.begin(), facet.end());
+  std::array<VertexId, static_cast<std::size_t>(D) - 1> key{};
+  std::copy(facet.begin() + 1, facet.end(), key.begin());
+  return key;
+}
+
+/// Matches half-facets with the same vertices. Requires sound cells: D+1 distinct vertices below
+/// vertex_count. A counting sort by least vertex puts the half-facets of a facet into one bucket;
+/// a bucket is sorted by the other vertices. Time: linear, and n log n in a bucket; memory: 4 bytes
+/// per half-facet and per vertex.
+template <int D>
+FacetMatching match_facets(const std::vector<Cell<D>>& cells, std::size_t vertex_count) {
+  const auto half_facets = static_cast<std::uint32_t>(cells.size() * (D + 1));
+  const auto least_vertex = [&](std::uint32_t h) {
+    const Cell<D>& cell = cells[h / (D + 1)];
+    VertexId least{UINT32_MAX};
+    for (std::uint32_t i = 0; i <= D; ++i)
+      if (i != h % (D + 1)) least = std::min(least, cell[i]);
+    return least.value;
+  };
+  std::vector<std::uint32_t> bucket_end(vertex_count + 1, 0);  // start until filled, then end
+  for (std::uint32_t h = 0; h < half_facets; ++h) ++bucket_end[least_vertex(h) + 1];
+  for (std::size_t v = 0; v < vertex_count; ++v) bucket_end[v + 1] += bucket_end[v];
+  std::vector<HalfFacetId> sorted(half_facets);
+  for (std::uint32_t h = 0; h < half_facets; ++h)
+    sorted[bucket_end[least_vertex(h)]++] = HalfFacetId{h};
+
+  FacetMatching result;
+  result.mates.assign(half_facets, HalfFacetId{kNone});
+  struct Entry {
+    std::array<VertexId, static_cast<std::size_t>(D) - 1> key;
+    HalfFacetId half_facet;
+    bool operator<(const Entry& other) const {
+      return key != other.key ? key < other.key : half_facet < other.half_facet;
+    }
+  };
+  const auto is_duplicate = [&](HalfFacetId one, HalfFacetId other) {
+    // Same facet and same opposite vertex: same cell. Told once, at the greatest vertex.
+    const Cell<D>& cell = cells[cell_of<D>(one).value];
+    const VertexId apex = cell[static_cast<std::size_t>(local_index<D>(one))];
+    return apex == *std::max_element(cell.begin(), cell.end()) &&
+           cells[cell_of<D>(other).value][static_cast<std::size_t>(local_index<D>(other))] == apex;
+  };
+  const auto tell_duplicates = [&](auto first, auto last) {
+    for (auto one = first; one != last; ++one) {
+      const bool told_before = std::any_of(first, one, [&](const Entry& earlier) {
+        return is_duplicate(earlier.half_facet, one->half_facet);
+      });
+      if (told_before) continue;
+      for (auto other = one + 1; other != last; ++other)
+        if (is_duplicate(one->half_facet, other->half_facet))
+          result.duplicates.emplace_back(cell_of<D>(one->half_facet),
+                                         cell_of<D>(other->half_facet));
+    }
+  };
+  std::vector<Entry> bucket;
+  std::size_t begin = 0;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const std::size_t end = bucket_end[v];
+    bucket.clear();
+    for (std::size_t n = begin; n < end; ++n)
+      bucket.push_back({facet_key<D>(cells, sorted[n]), sorted[n]});
+    begin = end;
+    std::sort(bucket.begin(), bucket.end());
+    for (auto first = bucket.begin(); first != bucket.end();) {
+      auto last = first + 1;
+      while (last != bucket.end() && last->key == first->key) ++last;
+      if (last - first == 2) {
+        result.mates[first->half_facet.value] = (first + 1)->half_facet;
+        result.mates[(first + 1)->half_facet.value] = first->half_facet;
+      } else if (last - first > 2) {
+        auto& crowd = result.crowded.emplace_back();
+        for (auto entry = first; entry != last; ++entry) crowd.push_back(entry->half_facet);
+      }
+      if (last - first > 1) tell_duplicates(first, last);
+      first = last;
+    }
+  }
+  std::sort(result.crowded.begin(), result.crowded.end());
+  std::sort(result.duplicates.begin(), result.duplicates.end());
+  return result;
+}
+
+/// Whether mates h and m induce opposite orientations on their facet when both their cells have the
+/// orientation of their tuples.
+template <int D>
+bool opposite_as_written(const std::vector<Cell<D>>& cells, HalfFacetId h, HalfFacetId m) {
+  Cell<D> one = cells[cell_of<D>(h).value];
+  const Cell<D>& other = cells[cell_of<D>(m).value];
+  const auto i = static_cast<std::size_t>(local_index<D>(h));
+  const auto j = static_cast<std::size_t>(local_index<D>(m));
+  // Put the other apex in the place of ours: the facet keeps its induced orientation relative to
+  // the apex's place, so the cells are coherent iff `one` is now an odd permutation of `other`.
+  one[i] = other[j];
+  bool odd = false;
+  for (std::size_t a = 0; a < one.size(); ++a) {
+    if (one[a] == other[a]) continue;
+    const auto b = static_cast<std::size_t>(
+        std::find(one.begin() + static_cast<std::ptrdiff_t>(a), one.end(), other[a]) - one.begin());
+    std::swap(one[a], one[b]);
+    odd = !odd;
+  }
+  return odd;
+}
+
+}  // namespace cleave::topology::detail

@@ -1,0 +1,85 @@
+#pragma once
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "cleave/topology/violation.hpp"
+#include "facet_matching.hpp"
+
+namespace cleave::topology::detail {
+
+/// Signs that make mates opposite wherever that can be, and one loop per piece where it cannot.
+struct Orientation {
+  std::vector<std::int8_t> signs;
+  std::vector<std::uint32_t> piece_of_cell;
+  std::vector<NonOrientable> loops;  // one per non-orientable piece
+  std::vector<bool> orientable;      // per piece
+};
+
+/// The loop that half-facet `h` closes in the tree of `entered_by`: down from the common ancestor
+/// of both cells to the cell of h, through h, and back up from the mate's cell.
+template <int D>
+NonOrientable closed_loop(const std::vector<HalfFacetId>& mates,
+                          const std::vector<HalfFacetId>& entered_by, HalfFacetId h) {
+  // entered_by[c]: the half-facet, in the cell visited before c, through which c was reached.
+  const auto path_to_root = [&](CellId cell) {
+    std::vector<HalfFacetId> path;
+    while (entered_by[cell.value].value != kNone) {
+      path.push_back(entered_by[cell.value]);
+      cell = cell_of<D>(path.back());
+    }
+    return path;
+  };
+  std::vector<HalfFacetId> down = path_to_root(cell_of<D>(h));
+  std::vector<HalfFacetId> up = path_to_root(cell_of<D>(mates[h.value]));
+  while (!down.empty() && !up.empty() && down.back() == up.back()) {
+    down.pop_back();
+    up.pop_back();
+  }
+  NonOrientable found;
+  found.loop.assign(down.rbegin(), down.rend());
+  found.loop.push_back(h);
+  for (const HalfFacetId step : up) found.loop.push_back(mates[step.value]);
+  return found;
+}
+
+/// Breadth first over each piece from its least cell. Time: linear.
+template <int D>
+Orientation orientation(const std::vector<Cell<D>>& cells, const std::vector<HalfFacetId>& mates) {
+  Orientation result;
+  result.signs.assign(cells.size(), 0);
+  result.piece_of_cell.assign(cells.size(), 0);
+  std::vector<HalfFacetId> entered_by(cells.size(), HalfFacetId{kNone});
+  std::vector<CellId> queue;
+  for (std::uint32_t root = 0; root < cells.size(); ++root) {
+    if (result.signs[root] != 0) continue;
+    const auto piece = static_cast<std::uint32_t>(result.orientable.size());
+    result.orientable.push_back(true);
+    result.signs[root] = 1;
+    queue.assign(1, CellId{root});
+    for (std::size_t next = 0; next < queue.size(); ++next) {
+      const CellId cell = queue[next];
+      result.piece_of_cell[cell.value] = piece;
+      for (int i = 0; i <= D; ++i) {
+        const HalfFacetId h = half_facet<D>(cell, i);
+        const HalfFacetId mate = mates[h.value];
+        if (mate.value == kNone) continue;
+        const CellId across = cell_of<D>(mate);
+        const bool same = opposite_as_written<D>(cells, h, mate);
+        const auto wanted =
+            static_cast<std::int8_t>(same ? result.signs[cell.value] : -result.signs[cell.value]);
+        if (result.signs[across.value] == 0) {
+          result.signs[across.value] = wanted;
+          entered_by[across.value] = h;
+          queue.push_back(across);
+        } else if (result.signs[across.value] != wanted && result.orientable[piece]) {
+          result.orientable[piece] = false;
+          result.loops.push_back(closed_loop<D>(mates, entered_by, h));
+        }
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace cleave::topology::detail
