@@ -176,8 +176,7 @@ int orient3d(const Point<3>& a, const Point<3>& b, const Point<3>& c, const Poin
 }
 
 template <int D>
-requires(D == 2 || D == 3)
-    SweptSimplex<D>::SweptSimplex(const std::array<Point<D>, static_cast<std::size_t>(D)>& corners)
+SweptSimplex<D>::SweptSimplex(const std::array<Point<D>, static_cast<std::size_t>(D)>& corners)
     : corners_(corners), normal_sign_(normal_sign(corners)), box_{corners[0], corners[0]} {
   for (const Point<D>& corner : corners)
     for (std::size_t i = 0; i < corner.size(); ++i) {
@@ -188,25 +187,23 @@ requires(D == 2 || D == 3)
 }
 
 template <int D>
-requires(D == 2 || D == 3) int SweptSimplex<D>::side(const Point<D>& p) const {
+int SweptSimplex<D>::side(const Point<D>& p) const {
   const int sign = orient(corners_, p);
   return sign != 0 ? sign : -normal_sign_;
 }
 
 template <int D>
-requires(D == 2 || D == 3) bool SweptSimplex<D>::crossed_between_sides(const Point<D>& p,
-                                                                       const Point<D>& q) const {
+bool SweptSimplex<D>::crossed_between_sides(const Point<D>& p, const Point<D>& q) const {
   return line_meets(corners_, p, q);
 }
 
 template <int D>
-requires(D == 2 || D == 3) int SweptSimplex<D>::compare_heights(const Point<D>& p,
-                                                                const Point<D>& q) const {
+int SweptSimplex<D>::compare_heights(const Point<D>& p, const Point<D>& q) const {
   return side(p) * height_sum_sign(corners_, p, q);
 }
 
 template <int D>
-requires(D == 2 || D == 3) bool SweptSimplex<D>::may_meet(const Box<D>& box) const {
+bool SweptSimplex<D>::may_meet(const Box<D>& box) const {
   for (std::size_t i = 0; i < box.low.size(); ++i)
     if (box.low[i] > box_.high[i] || box.high[i] < box_.low[i]) return false;
 

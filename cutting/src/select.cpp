@@ -74,6 +74,26 @@ std::vector<HalfFacetId> odd_ones(std::vector<HalfFacetId> all) {
   return odd;
 }
 
+/// The vertices that the edges across `simplex` put into the set, as bits. The signs and the order
+/// by closeness and id belong to one plane, so with Ties::by_id at most D vertices are in: the one
+/// that is last in this order is closer than none.
+template <int D>
+unsigned add_nearest(const SweptSimplex<D>& simplex, const topology::Cell<D>& cell,
+                     const std::array<Point<D>, D + 1>& places, Ties ties) {
+  std::array<int, D + 1> side;
+  for (std::size_t i = 0; i < side.size(); ++i) side[i] = simplex.side(places[i]);
+  unsigned nearest = 0;
+  for (std::size_t i = 0; i < side.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (side[i] == side[j] || !simplex.crossed_between_sides(places[i], places[j])) continue;
+      int order = simplex.compare_heights(places[i], places[j]);
+      if (order == 0 && ties == Ties::by_id) order = cell[i] < cell[j] ? -1 : 1;
+      if (order <= 0) nearest |= 1u << i;
+      if (order >= 0) nearest |= 1u << j;
+    }
+  return nearest;
+}
+
 template <int D>
 void require_points(const Complex<D>& k, const std::vector<Point<D>>& points) {
   if (points.size() != k.vertex_count())
@@ -89,14 +109,30 @@ void require_points(const Complex<D>& k, const std::vector<Point<D>>& points) {
 }  // namespace
 
 template <int D>
-requires(D == 2 || D == 3) struct Selector<D>::Impl {
+std::array<bool, static_cast<std::size_t>(D) + 1> nearest_vertices(
+    const topology::Cell<D>& cell,
+    const std::array<Point<D>, static_cast<std::size_t>(D) + 1>& places,
+    std::span<const std::array<Point<D>, static_cast<std::size_t>(D)>> simplices, Ties ties) {
+  unsigned nearest = 0;
+  for (const auto& corners : simplices)
+    if (const SweptSimplex<D> simplex(corners); !simplex.is_flat())
+      nearest |= add_nearest(simplex, cell, places, ties);
+  std::array<bool, D + 1> result;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = ((nearest >> i) & 1u) != 0;
+  return result;
+}
+
+template <int D>
+struct Selector<D>::Impl {
   const Complex<D>* k;
+  const topology::Incision<D>* incision;  // or none
   const std::vector<Point<D>>* points;
   SelectOptions options;
   detail::BoxTree<D> tree;
 
-  Impl(const Complex<D>& complex, const std::vector<Point<D>>& places, SelectOptions chosen)
-      : k(&complex), points(&places), options(chosen) {
+  Impl(const Complex<D>& complex, const topology::Incision<D>* owner,
+       const std::vector<Point<D>>& places, SelectOptions chosen)
+      : k(&complex), incision(owner), points(&places), options(chosen) {
     require_points(complex, places);
     std::vector<Box<D>> boxes(complex.cell_count());
     for (std::uint32_t c = 0; c < boxes.size(); ++c)
@@ -122,24 +158,19 @@ requires(D == 2 || D == 3) struct Selector<D>::Impl {
     });
   }
 
-  /// The local vertices of a cell that its edges across `simplex` put into its set, as bits.
-  unsigned nearest_vertices(const SweptSimplex<D>& simplex, CellId cell) const {
+  topology::Cell<D> original_vertices(CellId cell) const {
+    topology::Cell<D> vertices = k->vertices(cell);
+    if (incision != nullptr)
+      for (topology::VertexId& v : vertices) v = incision->original(v);
+    return vertices;
+  }
+
+  unsigned nearest(const SweptSimplex<D>& simplex, CellId cell) const {
     if (!simplex.may_meet(box_of_vertices(*k, *points, cell))) return 0;
-    const topology::Cell<D>& vertices = k->vertices(cell);
-    std::array<int, D + 1> side;
-    for (std::size_t i = 0; i < side.size(); ++i)
-      side[i] = simplex.side((*points)[vertices[i].value]);
-    unsigned nearest = 0;
-    for (std::size_t i = 0; i < side.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) {
-        const Point<D>&p = (*points)[vertices[i].value], &q = (*points)[vertices[j].value];
-        if (side[i] == side[j] || !simplex.crossed_between_sides(p, q)) continue;
-        int order = simplex.compare_heights(p, q);
-        if (order == 0 && options.ties == Ties::by_id) order = vertices[i] < vertices[j] ? -1 : 1;
-        if (order <= 0) nearest |= 1u << i;
-        if (order >= 0) nearest |= 1u << j;
-      }
-    return nearest;
+    std::array<Point<D>, D + 1> places;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      places[i] = (*points)[k->vertices(cell)[i].value];
+    return add_nearest(simplex, original_vertices(cell), places, options.ties);
   }
 
   FacetSet by_dual_edge(std::span<const SweptSimplex<D>> step) const {
@@ -152,8 +183,7 @@ requires(D == 2 || D == 3) struct Selector<D>::Impl {
     std::vector<std::pair<std::uint32_t, unsigned>> sets;  // cell, some vertices of its set
     for (const SweptSimplex<D>& simplex : step)
       tree.visit_near(simplex, [&](std::uint32_t cell) {
-        if (const unsigned nearest = nearest_vertices(simplex, CellId{cell}))
-          sets.emplace_back(cell, nearest);
+        if (const unsigned set = nearest(simplex, CellId{cell})) sets.emplace_back(cell, set);
       });
     std::sort(sets.begin(), sets.end());
     std::vector<HalfFacetId> chosen;
@@ -177,33 +207,32 @@ requires(D == 2 || D == 3) struct Selector<D>::Impl {
 };
 
 template <int D>
-requires(D == 2 || D == 3) Selector<D>::Selector(const Complex<D>& k,
-                                                 const std::vector<Point<D>>& points,
-                                                 SelectOptions options)
-    : impl_(std::make_unique<Impl>(k, points, options)) {}
+Selector<D>::Selector(const Complex<D>& k, const std::vector<Point<D>>& points,
+                      SelectOptions options)
+    : impl_(std::make_unique<Impl>(k, nullptr, points, options)) {}
 
 template <int D>
-requires(D == 2 || D == 3) Selector<D>::~Selector() = default;
+Selector<D>::Selector(const topology::Incision<D>& incision, const std::vector<Point<D>>& points,
+                      SelectOptions options)
+    : impl_(std::make_unique<Impl>(incision.complex(), &incision, points, options)) {}
 
 template <int D>
-requires(D == 2 || D == 3) Selector<D>::Selector(Selector&&)
-noexcept = default;
+Selector<D>::~Selector() = default;
 
 template <int D>
-requires(D == 2 || D == 3) Selector<D>
-&Selector<D>::operator=(Selector&&) noexcept = default;
+Selector<D>::Selector(Selector&&) noexcept = default;
 
 template <int D>
-requires(D == 2 || D == 3) FacetSet Selector<D>::select(std::span<const Simplex> simplices)
-const {
+Selector<D>& Selector<D>::operator=(Selector&&) noexcept = default;
+
+template <int D>
+FacetSet Selector<D>::select(std::span<const Simplex> simplices) const {
   detail::require_finite<D>(simplices, 0);
   return impl_->select(simplices);
 }
 
 template <int D>
-requires(D == 2 || D == 3) FacetSet Selector<D>::select_step(const Sweep<D>& sweep,
-                                                             std::size_t step)
-const {
+FacetSet Selector<D>::select_step(const Sweep<D>& sweep, std::size_t step) const {
   require_valid(sweep);
   const auto [first, last] = sweep.step(step);
   return impl_->select(std::span(sweep.simplices).subspan(first, last - first));
@@ -211,6 +240,12 @@ const {
 
 template Point<2> dual_point(const Complex<2>&, const std::vector<Point<2>>&, CellId);
 template Point<3> dual_point(const Complex<3>&, const std::vector<Point<3>>&, CellId);
+template std::array<bool, 3> nearest_vertices<2>(const topology::Cell<2>&,
+                                                 const std::array<Point<2>, 3>&,
+                                                 std::span<const std::array<Point<2>, 2>>, Ties);
+template std::array<bool, 4> nearest_vertices<3>(const topology::Cell<3>&,
+                                                 const std::array<Point<3>, 4>&,
+                                                 std::span<const std::array<Point<3>, 3>>, Ties);
 template class Selector<2>;
 template class Selector<3>;
 

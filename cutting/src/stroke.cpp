@@ -13,7 +13,7 @@ template <int D>
 StrokeResult cut_along(topology::Incision<D>& incision, std::vector<Point<D>>& points,
                        const Sweep<D>& sweep, SelectOptions options, topology::Verify verify) {
   require_valid(sweep);
-  const Selector<D> selector(incision.complex(), points, options);
+  const Selector<D> selector(incision, points, options);
   const FacetSet left_by_others = incision.shut();
   StrokeResult result;
   FacetSet pending, opened;  // scored by this stroke: shut still, and not

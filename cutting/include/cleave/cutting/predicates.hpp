@@ -26,7 +26,9 @@ struct Box {
 /// simplices with a common ridge leave no gap and no overlap; only flat ones, which have no
 /// direction, must be skipped. Every sign is exact on finite doubles.
 template <int D>
-requires(D == 2 || D == 3) class SweptSimplex {
+class SweptSimplex {
+  static_assert(D == 2 || D == 3);
+
  public:
   explicit SweptSimplex(const std::array<Point<D>, static_cast<std::size_t>(D)>& corners);
 

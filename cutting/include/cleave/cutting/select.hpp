@@ -8,6 +8,7 @@
 #include "cleave/cutting/sweep.hpp"
 #include "cleave/topology/complex.hpp"
 #include "cleave/topology/facet_set.hpp"
+#include "cleave/topology/incision.hpp"
 
 namespace cleave::cutting {
 
@@ -37,6 +38,14 @@ template <int D>
 Point<D> dual_point(const topology::Complex<D>& k, const std::vector<Point<D>>& points,
                     topology::CellId cell);
 
+/// Which of a cell's vertices are in its set (nearest_vertex) after `simplices`: `places` has their
+/// points, in the order of `cell`. Finite points; flat simplices put in nothing.
+template <int D>
+std::array<bool, static_cast<std::size_t>(D) + 1> nearest_vertices(
+    const topology::Cell<D>& cell,
+    const std::array<Point<D>, static_cast<std::size_t>(D) + 1>& places,
+    std::span<const std::array<Point<D>, static_cast<std::size_t>(D)>> simplices, Ties ties);
+
 /// Answers, for one complex in rest coordinates, which interior facets a step of a sweep chooses.
 /// Holds references to `k` and `points` and reads them anew each time, so it follows cuts of `k`
 /// (`points` must be extended by one entry per copy, at its parent's place); it must be made anew
@@ -44,7 +53,9 @@ Point<D> dual_point(const topology::Complex<D>& k, const std::vector<Point<D>>& 
 /// an exact zero the sweep counts as translated by (e, e^2, e^3), e -> 0+; simplices that are flat
 /// choose nothing. Const members may be called from several threads at once.
 template <int D>
-requires(D == 2 || D == 3) class Selector {
+class Selector {
+  static_assert(D == 2 || D == 3);
+
  public:
   using Simplex = std::array<Point<D>, static_cast<std::size_t>(D)>;
 
@@ -52,6 +63,11 @@ requires(D == 2 || D == 3) class Selector {
   /// cell has a coordinate that is not finite.
   /// Time: O(n log n) in the cells. Memory: 20 to 40 bytes per cell, and 50 more while it is built.
   Selector(const topology::Complex<D>& k, const std::vector<Point<D>>& points,
+           SelectOptions options = {});
+
+  /// The same for an incision's complex; Ties::by_id goes by the ids of the original vertices, so
+  /// that the choice does not depend on how copies happen to be numbered.
+  Selector(const topology::Incision<D>& incision, const std::vector<Point<D>>& points,
            SelectOptions options = {});
   ~Selector();
   Selector(Selector&&) noexcept;
