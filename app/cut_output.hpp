@@ -41,7 +41,7 @@ struct CutOutput {
 };
 
 /// The mesh of `incision`, made from `body`, as a file with this numbering holds it.
-/// - Cells keep their order, tuples, numbers and references. Vertices keep their numbers (by place
+/// - Cells keep their order, tuples, numbers and groups. Vertices keep their numbers (by place
 ///   where the format numbers so); copies come last, in canonical order, numbered after the largest.
 ///   Vertices that no cell uses are dropped.
 /// - Edges, vertices and facets of groups that were not asked for are there once for each copy.
@@ -49,7 +49,7 @@ struct CutOutput {
 ///   shut in NAME_shut. These replace the group NAME, which keeps only facets on the old boundary.
 ///   Which side is minus: see sides.hpp.
 /// - Point fields follow `parent`. Point data `parent` (number in body.mesh) and cell data `piece`
-///   (from 0, by least cell) and `group` (the cell's reference) are added for Numbering::from_zero.
+///   (from 0, by least cell) and `group` (the least tag of the cell's groups; 0: none) are added for Numbering::from_zero.
 /// The result is a function of the body and of what was asked for, not of the order of requests.
 /// Time: linear in the mesh.
 template <int D>
