@@ -17,14 +17,17 @@ Lame lame_of(double young, double poisson) {
           young / (2.0 * (1.0 + poisson))};
 }
 
+bool is_positive(const Lame& material) {
+  return std::isfinite(material.mu) && material.mu > 0.0 && std::isfinite(material.lambda) &&
+         3.0 * material.lambda + 2.0 * material.mu > 0.0;
+}
+
 void require_positive(const Lame& material) {
-  if (!(std::isfinite(material.mu) && material.mu > 0.0))
-    throw std::invalid_argument("mu must be positive and finite, it is " +
-                                std::to_string(material.mu));
-  if (!(std::isfinite(material.lambda) && 3.0 * material.lambda + 2.0 * material.mu > 0.0))
-    throw std::invalid_argument("3 lambda + 2 mu must be positive and finite; lambda is " +
-                                std::to_string(material.lambda) + ", mu is " +
-                                std::to_string(material.mu));
+  if (!is_positive(material))
+    throw std::invalid_argument(
+        "a material needs mu > 0 and 3 lambda + 2 mu > 0, both finite; "
+        "lambda is " +
+        std::to_string(material.lambda) + ", mu is " + std::to_string(material.mu));
 }
 
 }  // namespace cleave::fem

@@ -53,6 +53,8 @@ class Dirichlet {
   void project(Eigen::VectorXd& v) const;
 
  private:
+  void require_within(Eigen::Index size) const;
+
   static std::size_t coordinate(topology::VertexId vertex, int axis) {
     return 3 * static_cast<std::size_t>(vertex.value) + static_cast<std::size_t>(axis);
   }

@@ -62,6 +62,8 @@ class ElasticOperator {
   /// needs no place of its own.
   using Gradients = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
+  /// E of Equation (1), times the square root of the cell's volume.
+  Eigen::Matrix3d displacement_gradient(std::size_t cell, const Eigen::VectorXd& u) const;
   Eigen::Vector3d scaled_gradient(topology::CellId cell, int i) const;
   Eigen::Matrix3d diagonal_share(topology::CornerId corner) const;
 

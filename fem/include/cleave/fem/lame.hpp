@@ -13,8 +13,11 @@ struct Lame {
 /// young > 0 and -1 < poisson < 1/2, both finite.
 Lame lame_of(double young, double poisson);
 
-/// Throws std::invalid_argument unless mu > 0 and 3 lambda + 2 mu > 0, both finite: what the
-/// elastic energy needs to be positive on every strain.
+/// Whether mu > 0 and 3 lambda + 2 mu > 0, both finite: what the elastic energy needs to be
+/// positive on every strain.
+bool is_positive(const Lame& material);
+
+/// Throws std::invalid_argument unless is_positive(material).
 void require_positive(const Lame& material);
 
 }  // namespace cleave::fem
