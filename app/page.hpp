@@ -33,11 +33,6 @@ struct PageSolve {
   std::vector<PageSample> samples;
 };
 
-/// A named set of cells, drawn in one colour.
-struct PageMaterial {
-  std::string name;
-};
-
 /// Something to point at: a vertex (one place) or an edge (two), with what to say of it.
 struct PageMark {
   std::string label;                    // "vertex 1207, copy of 88"
@@ -50,19 +45,19 @@ struct PageFinding {
   std::vector<PageMark> marks;
 };
 
-/// All that the page of a run shows. Lengths are in `length_unit`, nothing is converted.
+/// All that the page of a run shows; it opens on the last state. Lengths are in `length_unit`,
+/// nothing is converted.
 struct PageData {
   std::string title;
   std::vector<std::string> summary;  // a few plain lines under the title
   std::string length_unit;           // "mm"; empty: none
   std::vector<double> points;        // 3 per vertex of the first state, undeformed
   std::vector<PageState> states;  // at least one, all with the same number of cells, in time order
-  std::vector<PageMaterial> materials;          // may be empty
+  std::vector<std::string> materials;           // names; each has its colour; may be empty
   std::vector<std::uint32_t> material_of_cell;  // place in `materials`; empty: all cells alike
   std::vector<std::uint64_t> cell_numbers;      // the file's own, per cell; empty: 1, 2, ..
   std::vector<PageFinding> findings;
   std::vector<PageSolve> solves;
-  std::size_t first_state = 0;  // shown when the page opens
 };
 
 /// Writes one HTML file that needs nothing beside it: no network, no server, no other file. Later
