@@ -6,15 +6,20 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 cmake --install "$build_dir" --prefix "$work/prefix" >"$work/install.log"
-awk '/^```cpp$/ { inside = 1; next } /^```$/ && inside { exit } inside' "$source_dir/README.md" \
-  >"$work/readme_example.cpp"
-[ -s "$work/readme_example.cpp" ] || { echo "README.md has no C++ example"; exit 1; }
+# The first C++ block of each of these pages is a whole program.
+examples=
+for page in README docs/topology; do
+  program="$work/$(basename "$page")_example.cpp"
+  awk '/^```cpp$/ { inside = 1; next } /^```$/ && inside { exit } inside' "$source_dir/$page.md" >"$program"
+  [ -s "$program" ] || { echo "$page.md has no C++ example"; exit 1; }
+  examples="$examples;$program"
+done
 
 cmake -S "$source_dir/tests/consumer" -B "$work/build" -G Ninja -DCMAKE_PREFIX_PATH="$work/prefix" \
-  -DCMAKE_CXX_COMPILER="$compiler" -DREADME_EXAMPLE="$work/readme_example.cpp" >"$work/configure.log" ||
+  -DCMAKE_CXX_COMPILER="$compiler" -DPAGE_EXAMPLES="${examples#;}" >"$work/configure.log" ||
   { cat "$work/configure.log"; exit 1; }
 cmake --build "$work/build"
-for program in use_topology use_cutting use_fem readme_example; do
+for program in use_topology use_cutting use_fem README_example topology_example; do
   "$work/build/$program" || { echo "$program failed"; exit 1; }
 done
 echo "consumer: found, built and ran with every module"
