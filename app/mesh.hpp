@@ -27,6 +27,7 @@ struct Group {
 struct Field {
   std::string name;
   int components = 1;
+  bool integer = false;        // the file stored integers
   std::vector<double> values;  // components per entity
 };
 

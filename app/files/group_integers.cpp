@@ -1,0 +1,161 @@
+#include "files/group_integers.hpp"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
+
+#include "error.hpp"
+#include "files/group_sets.hpp"
+#include "files/input_text.hpp"
+
+namespace cleave::app {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kFormat = "cleave-groups/1";
+
+/// One integer of a group file, with messages that name the place.
+std::int32_t integer_in(const json& object, const char* key, const std::string& place) {
+  const auto value = object.find(key);
+  if (value == object.end() || !value->is_number_integer())
+    throw InputError(place + ": needs the integer '" + key + "'");
+  const auto wide = value->get<std::int64_t>();
+  if (wide < INT32_MIN || wide > INT32_MAX)
+    throw InputError(place + ": '" + key + "' has more than 32 bits");
+  return static_cast<std::int32_t>(wide);
+}
+
+int dimension_in(const json& object, const std::string& place) {
+  const std::int32_t dimension = integer_in(object, "dimension", place);
+  if (dimension < 0 || dimension > 3)
+    throw InputError(place + ": 'dimension' must be 0, 1, 2 or 3");
+  return dimension;
+}
+
+const json& list_in(const json& object, const char* key, const std::string& place) {
+  const auto value = object.find(key);
+  if (value == object.end() || !value->is_array())
+    throw InputError(place + ": needs the list '" + key + "'");
+  return *value;
+}
+
+json parse(const std::filesystem::path& path) {
+  const InputText text(path);
+  json document;
+  try {
+    document = json::parse(text.bytes());
+  } catch (const json::parse_error& error) {
+    text.fail(
+        text.begin() + std::min(error.byte, text.bytes().size()),
+        "this is not JSON; correct it, or remove it to read the mesh without names of groups");
+  }
+  const auto format = document.is_object() ? document.find("format") : document.end();
+  if (!document.is_object() || format == document.end() || *format != kFormat)
+    throw InputError(path.string() + ": is not a file of group names (\"format\": \"" + kFormat +
+                     "\"); remove it to read the mesh without names of groups");
+  return document;
+}
+
+using Groups = std::map<std::pair<int, std::int32_t>, Group>;
+
+Group& group_of(Groups& groups, int dimension, std::int32_t tag) {
+  Group& group = groups[{dimension, tag}];
+  group.dimension = dimension;
+  group.tag = tag;
+  if (group.name.empty()) group.name = std::to_string(tag);
+  return group;
+}
+
+/// Replaces the group of an overlap's integer by memberships in the overlapping groups.
+void apply_overlap(Groups& groups, const json& overlap, const std::string& place) {
+  const int dimension = dimension_in(overlap, place);
+  const auto found = groups.find({dimension, integer_in(overlap, "integer", place)});
+  if (found == groups.end()) return;
+  const auto elements = std::move(found->second.elements);
+  groups.erase(found);
+  for (const json& tag : list_in(overlap, "groups", place)) {
+    if (!tag.is_number_integer()) throw InputError(place + ": 'groups' must list integers");
+    auto& all = group_of(groups, dimension, tag.get<std::int32_t>()).elements;
+    all.insert(all.end(), elements.begin(), elements.end());
+  }
+}
+
+}  // namespace
+
+void GroupIntegers::encode(int dimension, std::size_t count, const std::vector<Group>& groups) {
+  const GroupSets sets = group_sets(count, groups);
+  const std::vector<std::int32_t> tags = distinct_tags(groups, INT32_MIN);
+  std::set<std::int32_t> used(tags.begin(), tags.end());
+  std::vector<std::int32_t> integer_of_set{0};
+  std::int32_t next = 1;
+  for (std::size_t s = 1; s < sets.sets.size(); ++s) {
+    const auto& members = sets.sets[s];
+    if (members.size() == 1) {
+      integer_of_set.push_back(tags[members[0]]);
+      continue;
+    }
+    while (!used.insert(next).second) ++next;
+    integer_of_set.push_back(next);
+    Overlap overlap{dimension, next, {}};
+    for (const std::size_t g : members) overlap.tags.push_back(tags[g]);
+    overlaps.push_back(std::move(overlap));
+  }
+  auto& integers = of_element[static_cast<std::size_t>(dimension)];
+  integers.reserve(count);
+  for (const std::uint32_t set : sets.of_element) integers.push_back(integer_of_set[set]);
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    if (groups[g].elements.empty() || groups[g].name != std::to_string(tags[g]))
+      named.push_back({dimension, tags[g], groups[g].name});
+}
+
+std::string GroupIntegers::to_json() const {
+  if (named.empty() && overlaps.empty()) return {};
+  json document = {{"format", kFormat}, {"groups", json::array()}, {"overlaps", json::array()}};
+  for (const Named& group : named)
+    document["groups"].push_back(
+        {{"dimension", group.dimension}, {"tag", group.tag}, {"name", group.name}});
+  for (const Overlap& overlap : overlaps)
+    document["overlaps"].push_back(
+        {{"dimension", overlap.dimension}, {"integer", overlap.integer}, {"groups", overlap.tags}});
+  return document.dump(1) + "\n";
+}
+
+std::vector<Group> groups_from_integers(int dimension, const std::vector<std::int32_t>& integers) {
+  GroupCollector groups;
+  for (std::size_t i = 0; i < integers.size(); ++i)
+    if (integers[i] != 0) groups.add(dimension, integers[i], static_cast<std::uint32_t>(i));
+  return groups.finish();
+}
+
+void apply_group_names(Mesh& mesh, const std::filesystem::path& path) {
+  const json document = parse(path);
+  Groups groups;
+  for (Group& group : mesh.groups) groups[{group.dimension, group.tag}] = std::move(group);
+  const auto place_of = [&](const char* list, std::size_t i) {
+    return path.string() + ": " + list + "[" + std::to_string(i) + "]";
+  };
+  const json& overlaps = list_in(document, "overlaps", path.string());
+  for (std::size_t i = 0; i < overlaps.size(); ++i)
+    apply_overlap(groups, overlaps[i], place_of("overlaps", i));
+  const json& named = list_in(document, "groups", path.string());
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    const std::string place = place_of("groups", i);
+    const auto name = named[i].find("name");
+    if (name == named[i].end() || !name->is_string() || name->get<std::string>().empty())
+      throw InputError(place + ": needs the text 'name'");
+    group_of(groups, dimension_in(named[i], place), integer_in(named[i], "tag", place)).name =
+        name->get<std::string>();
+  }
+  mesh.groups.clear();
+  for (auto& [key, group] : groups) {
+    auto& elements = group.elements;
+    std::sort(elements.begin(), elements.end());
+    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+    mesh.groups.push_back(std::move(group));
+  }
+}
+
+}  // namespace cleave::app

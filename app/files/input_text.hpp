@@ -1,0 +1,46 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace cleave::app {
+
+/// A whole text file in memory, with messages that name the file and the line. Nothing counts
+/// lines while reading; a message does, from the place it speaks of.
+class InputText {
+ public:
+  /// Throws InputError if the file is missing, a folder, unreadable or empty.
+  explicit InputText(const std::filesystem::path& path);
+
+  /// For text that is already in memory; `source` is the name messages quote.
+  InputText(std::string source, std::string_view bytes);
+
+  const std::string& source() const { return source_; }
+  std::string_view bytes() const { return {bytes_.get(), size_}; }
+  const char* begin() const { return bytes_.get(); }
+  const char* end() const { return bytes_.get() + size_; }
+
+  /// Throws InputError("SOURCE:LINE: message") for the line that `place`, a position in bytes(), is
+  /// on.
+  [[noreturn]] void fail(const char* place, const std::string& message) const;
+
+  /// Throws InputError for content that is not of the `expected` format, and says what it looks
+  /// like instead.
+  [[noreturn]] void fail_format(const std::string& expected) const;
+
+ private:
+  std::string source_;
+  std::unique_ptr<char[]> bytes_;
+  std::size_t size_ = 0;
+};
+
+/// Throws InputError if there is no file that can be read and has content at `path`; for readers
+/// that do the reading themselves. Returns its size in bytes.
+std::size_t require_readable_file(const std::filesystem::path& path);
+
+/// What the first bytes of a file look like: "an XML file", "binary data", ...; empty if unknown.
+std::string_view describe_content(std::string_view bytes);
+
+}  // namespace cleave::app
