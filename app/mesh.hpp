@@ -27,8 +27,8 @@ struct Group {
 struct Field {
   std::string name;
   int components = 1;
-  bool integer = false;        // the file stored integers
   std::vector<double> values;  // components per entity
+  bool integer = false;        // the file stored integers
 };
 
 /// The two dialects of gmsh's .msh that are read and written.

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include <vtkObjectFactory.h>
+
 namespace cleave::app {
 
 class VtkMessages::Window : public vtkOutputWindow {
  public:
   static Window* New() { VTK_STANDARD_NEW_BODY(Window); }
-  vtkTypeMacro(Window, vtkOutputWindow);
+  vtkTypeMacro(Window, vtkOutputWindow)
 
   void DisplayText(const char* text) override { messages.emplace_back(text); }
   void DisplayErrorText(const char* text) override { DisplayText(text); }

@@ -120,6 +120,7 @@ void add_cell_data(vtkUnstructuredGrid& grid, const Mesh& mesh, const std::vecto
                      integers.of_element[order[i].dimension][order[i].element]);
   grid.GetCellData()->AddArray(groups);
   for (const Field& field : mesh.cell_fields) {
+    if (field.name == "group") continue;  // said by the groups already
     const double none = field.integer ? -1.0 : std::numeric_limits<double>::quiet_NaN();
     grid.GetCellData()->AddArray(field_array(field, order.size(), [&](auto i, int k) {
       if (order[i].dimension != static_cast<std::size_t>(mesh.dimension)) return none;
