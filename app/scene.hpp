@@ -28,7 +28,8 @@ using MeshSpec = std::variant<std::filesystem::path, CubeSpec>;
 
 /// A part of the body, at rest and before any stroke.
 struct GroupName {
-  std::string name;  // a group of the file, of any dimension
+  std::string name;              // a group of the file
+  std::optional<int> dimension;  // needed only if groups of several dimensions have that name
 };
 struct Box {
   Point3 low{}, high{};  // both ends belong to it

@@ -37,13 +37,21 @@ MeshSpec read_mesh(const JsonValue& value, const std::filesystem::path& folder) 
 }
 
 Where read_where(const JsonValue& value) {
-  value.only({"group", "box", "half_space", "vertices"});
+  value.only({"group", "dimension", "box", "half_space", "vertices"});
   Where where;
   where.at = value.pointer();
   const auto kind = value.one_of({"group", "box", "half_space", "vertices"});
   const JsonValue place = value[kind];
+  if (kind != "group" && value.has("dimension"))
+    value["dimension"].fail("only a group has a dimension");
   if (kind == "group") {
-    where.place = GroupName{place.string()};
+    GroupName group{place.string(), std::nullopt};
+    if (value.has("dimension")) {
+      const std::uint64_t dimension = value["dimension"].count();
+      if (dimension > 3) value["dimension"].fail("0, 1, 2 or 3 is needed");
+      group.dimension = static_cast<int>(dimension);
+    }
+    where.place = group;
   } else if (kind == "box") {
     const auto ends = place.items();
     if (ends.size() != 2) place.fail("two opposite ends [[x,y,z],[x,y,z]] are needed");
