@@ -1,0 +1,253 @@
+#include "run_pipeline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "body.hpp"
+#include "cleave/fem/elastic_operator.hpp"
+#include "cleave/topology/carry_over.hpp"
+#include "cleave/topology/pieces.hpp"
+#include "error.hpp"
+#include "kuhn_cube.hpp"
+#include "mesh_file.hpp"
+#include "run_body.hpp"
+#include "run_states.hpp"
+#include "scene_physics.hpp"
+#include "scene_stroke.hpp"
+
+namespace cleave::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// A run in the making. Members are built in this order, or left out.
+class Run {
+ public:
+  Run(const Scene& scene, const std::function<void(const std::string&)>& progress)
+      : scene_(scene), progress_(progress) {}
+
+  RunResult execute() {
+    load_mesh();
+    if (!scene_.materials.empty())
+      materials_ = parts_.build("material", [&] { return materials_of(scene_, mesh_); });
+    if (scene_.strokes.empty() && !scene_.solve) return finish_without_complex();
+    build_complex();
+    if (scene_.solve) build_physics();
+    if (scene_.solve) solve({});
+    keep_state(scene_.solve ? "At rest, loaded" : "At rest", std::nullopt);
+    for (std::size_t i = 0; i < scene_.strokes.size(); ++i) stroke(i);
+    return finish();
+  }
+
+ private:
+  RunReport& report() { return result_.report; }
+  void load_mesh();
+  void build_complex();
+  void build_physics();
+  void stroke(std::size_t i);
+  void follow(const topology::Relabelling& change);
+  void solve(const std::string& after);
+  void keep_state(const std::string& label, std::optional<std::size_t> stroke);
+  RunResult finish_without_complex();
+  RunResult finish();
+
+  const Scene& scene_;
+  const std::function<void(const std::string&)>& progress_;
+  RunResult result_;
+  Parts& parts_ = result_.report.parts;
+  Mesh mesh_;
+  std::optional<SceneMaterials> materials_;
+  Body<3> body_;
+  std::vector<std::array<double, 3>> points_;  // rest, one per vertex of the incision
+  std::optional<topology::Incision<3>> incision_;
+  std::optional<fem::ElasticOperator> operator_;
+  fem::Dirichlet supports_;
+  std::vector<fem::Loads> loads_;
+  Eigen::VectorXd displacement_;  // the last one solved for, carried over; empty: none yet
+  std::vector<std::vector<topology::OpenedFacet>> opened_by_stroke_;
+};
+
+void Run::load_mesh() {
+  progress_("mesh");
+  mesh_ = parts_.build("mesh", [&] {
+    if (const auto* cube = std::get_if<CubeSpec>(&scene_.mesh)) return kuhn_cube(*cube);
+    return read_mesh(std::get<std::filesystem::path>(scene_.mesh));
+  });
+  if (mesh_.dimension != 3)
+    throw InputError(fmt::format(
+        "{}: at /mesh: a scene needs tetrahedra, and the cells of {} are {}; give a mesh of a volume",
+        scene_.source, mesh_.source, mesh_.dimension == 2 ? "triangles" : "edges"));
+  report().title = scene_.title;
+  report().cells = mesh_.cells().size();
+  report().vertices_before = report().vertices_after = used_vertices(mesh_);
+}
+
+void Run::build_complex() {
+  progress_("complex");
+  body_ = parts_.build("complex", [&] { return make_body<3>(mesh_); });
+  points_ = points_of(body_);
+  incision_ = parts_.build("incision", [&] { return topology::Incision<3>(body_.complex); });
+  report().has_complex = true;
+  report().cut_regular = body_.regularized.empty();
+  report().pieces = topology::pieces(body_.complex).count;
+  report().pinched_edges =
+      parts_.build("pinched-edge check", [&] { return pinched_edges(body_, *incision_); });
+  for (const auto& split : body_.regularized)
+    report().warnings.push_back(fmt::format(
+        "vertex {} of {} is not cut-regular (its cells hang together only in that vertex); it was "
+        "split, each part has its own copy now",
+        mesh_.vertex_numbers[split.parent.value], mesh_.source));
+}
+
+void Run::build_physics() {
+  progress_("operator, supports, loads");
+  operator_ = parts_.build("operator", [&] {
+    try {
+      return fem::ElasticOperator(incision_->complex(), points_, materials_->lame);
+    } catch (const fem::InvalidBody& e) {
+      throw InputError(describe_in_file(e, mesh_));
+    }
+  });
+  if (!scene_.supports.empty())
+    supports_ = parts_.build("supports", [&] { return supports_of(scene_, body_); });
+  if (!scene_.loads.empty())
+    loads_ =
+        parts_.build("loads", [&] { return loads_of(scene_, body_, points_, *materials_); });
+}
+
+void Run::stroke(std::size_t i) {
+  const StrokeSpec& spec = scene_.strokes[i];
+  progress_("cutting: " + spec.name);
+  StrokeReport stroke;
+  stroke.name = spec.name;
+  stroke.selected_by = selected_by(spec);
+  stroke.pieces_before = topology::pieces(incision_->complex()).count;
+  const auto start = Clock::now();
+  const SceneStroke made =
+      make_stroke(spec, scene_.source, body_, *incision_, points_, parts_);
+  stroke.cut_milliseconds = milliseconds_since(start);
+  stroke.steps = made.steps;
+  stroke.requested = made.requested.size();
+  stroke.shut = (made.requested & incision_->shut()).size();
+  stroke.opened = stroke.requested - stroke.shut;
+  stroke.newly_opened = made.change.opened.size();
+  stroke.not_interior = made.not_interior;
+  stroke.new_vertices = made.change.splits.size();
+  stroke.pieces_after = topology::pieces(incision_->complex()).count;
+  stroke.pinched_edges =
+      parts_.build("pinched-edge check", [&] { return pinched_edges(body_, *incision_); }).size();
+  warn_of(stroke, report().warnings);
+  opened_by_stroke_.push_back(made.change.opened);
+
+  const auto cut_done = Clock::now();
+  if (scene_.solve) follow(made.change);
+  stroke.follow_milliseconds = milliseconds_since(cut_done);
+  report().strokes.push_back(stroke);
+  if (scene_.solve) solve(spec.name);
+  keep_state(spec.name, i);
+}
+
+void Run::follow(const topology::Relabelling& change) {
+  const topology::Complex<3>& k = incision_->complex();
+  parts_.build("operator", [&] { operator_->update(k, change); });
+  if (!supports_.empty()) parts_.build("supports", [&] { supports_.carry_over(change); });
+  if (!loads_.empty())
+    parts_.build("loads", [&] {
+      for (fem::Loads& loads : loads_) fem::carry_over(loads, k, points_, change);
+    });
+  if (displacement_.size() == 0) return;
+  displacement_.conservativeResize(3 * static_cast<Eigen::Index>(change.vertices_after));
+  for (const auto& split : change.splits)
+    displacement_.segment<3>(3 * static_cast<Eigen::Index>(split.vertex.value)) =
+        displacement_.segment<3>(3 * static_cast<Eigen::Index>(split.parent.value));
+}
+
+void Run::solve(const std::string& after) {
+  const topology::Complex<3>& k = incision_->complex();
+  const std::string what = after.empty() ? "solving at rest" : "solving after " + after;
+  progress_(what);
+  const Eigen::VectorXd force = force_of(loads_, k, points_);
+  fem::SolveOptions options = solve_options(*scene_.solve);
+  options.on_iterate = [&](std::size_t iteration, const Eigen::VectorXd&) {
+    if (iteration % 50 == 0) progress_(fmt::format("{}: {} iterations", what, iteration));
+  };
+  const bool warm = displacement_.size() != 0;
+  const fem::SolveResult solved = parts_.build("solver", [&] {
+    return fem::solve(k, points_, *operator_, supports_, force, options, displacement_);
+  });
+  SolveReport solve = report_of(solved, k, mesh_);
+  solve.after = after;
+  solve.warm_start = warm;
+  if (solve.has_displacement) {
+    displacement_ = solved.displacement;
+    for (std::size_t i = 0; i < opened_by_stroke_.size(); ++i) {
+      const Gap gap = gap_of(opened_by_stroke_[i], *incision_, displacement_);
+      if (i + 1 == opened_by_stroke_.size()) report().strokes[i].gap = gap;
+      report().strokes[i].final_gap = gap;
+    }
+  }
+  report().solves.push_back(std::move(solve));
+}
+
+void Run::keep_state(const std::string& label, std::optional<std::size_t> stroke) {
+  StateReport state;
+  state.label = label;
+  state.stroke = stroke;
+  const SolveReport* solve = nullptr;
+  if (scene_.solve) {
+    state.solve = report().solves.size() - 1;
+    solve = &report().solves.back();
+  }
+  const Eigen::VectorXd none;
+  const Eigen::VectorXd& shown = solve && solve->has_displacement ? displacement_ : none;
+  const bool last = report().states.size() == scene_.strokes.size();
+  if (scene_.output.vtu && (last || scene_.output.frames == OutputSpec::Frames::states)) {
+    parts_.build("vtu", [&] {
+      StateMesh made = state_mesh(body_, *incision_, shown);
+      if (last) {
+        report().regularized = regularized_vertices(body_, made);
+        report().vertices_after = made.mesh.points.size();
+        report().warnings.insert(report().warnings.end(), made.warnings.begin(),
+                                 made.warnings.end());
+      }
+      if (scene_.output.frames == OutputSpec::Frames::states) {
+        state.vtu = fmt::format("state-{:03}.vtu", report().states.size());
+        result_.vtu.push_back({state.vtu, made.mesh});
+      }
+      if (last) result_.vtu.push_back({"final.vtu", std::move(made.mesh)});
+    });
+  }
+  if (scene_.output.page)
+    parts_.build("page", [&] {
+      if (!result_.page) result_.page = first_page(scene_, body_, points_, report());
+      add_page_state(*result_.page, label, *incision_, shown, solve);
+    });
+  report().states.push_back(std::move(state));
+}
+
+RunResult Run::finish_without_complex() {
+  if (!scene_.supports.empty() || !scene_.loads.empty())
+    report().warnings.push_back("supports and loads do nothing without \"solve\"");
+  StateReport state;
+  state.label = "At rest";
+  if (scene_.output.vtu) {
+    parts_.build("vtu", [&] { result_.vtu.push_back({"final.vtu", bare_mesh(mesh_)}); });
+    if (scene_.output.frames == OutputSpec::Frames::states) {
+      state.vtu = "state-000.vtu";
+      result_.vtu.insert(result_.vtu.begin(), {state.vtu, result_.vtu.back().mesh});
+    }
+    report().final_vtu = "final.vtu";
+  }
+  report().states.push_back(std::move(state));
+  if (scene_.output.page)
+    parts_.build("page", [&] { result_.page = bare_page(scene_, mesh_, materials_); });
+  return std::move(result_);
+}
