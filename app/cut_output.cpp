@@ -8,6 +8,7 @@
 #include "cleave/topology/pieces.hpp"
 #include "error.hpp"
 #include "facet_groups.hpp"
+#include "mesh_fields.hpp"
 
 namespace cleave::app {
 
@@ -69,25 +70,6 @@ void warn_of_dropped(const Mesh& mesh, const std::vector<VertexId>& used, Number
       mesh.vertex_numbers[first],
       numbering == Numbering::kept ? "" : "; vertices behind it are renumbered, since this format "
                                           "numbers them by place"));
-}
-
-// Replaces the field of this name, or adds it.
-void set_field(std::vector<Field>& fields, Field field) {
-  const auto same = [&](const Field& other) { return other.name == field.name; };
-  const auto at = std::find_if(fields.begin(), fields.end(), same);
-  if (at == fields.end())
-    fields.push_back(std::move(field));
-  else
-    *at = std::move(field);
-}
-
-// The least tag of the groups each cell is in; 0: none.
-std::vector<double> cell_tags(const Mesh& mesh) {
-  std::vector<double> tags(mesh.cells().size());
-  for (auto group = mesh.groups.rbegin(); group != mesh.groups.rend(); ++group)  // by falling tag
-    if (group->dimension == mesh.dimension)
-      for (const std::uint32_t c : group->elements) tags[c] = group->tag;
-  return tags;
 }
 
 template <int D>

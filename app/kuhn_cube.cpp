@@ -7,8 +7,9 @@
 namespace cleave::app {
 namespace {
 
-// The six orders in which a path along edges gets from one end of a box's diagonal to the other. Odd
-// ones are walked with their last two vertices exchanged, which makes the cell positively oriented.
+// The six orders in which a path along edges gets from one end of a box's diagonal to the other.
+// Odd ones are walked with their last two vertices exchanged, which makes the cell positively
+// oriented.
 struct Path {
   std::array<std::size_t, 3> axes;
   bool odd;

@@ -4,8 +4,8 @@
 
 namespace cleave::app {
 
-/// The mesh of a CubeSpec: vertices and cells numbered from 0, x fastest; six tetrahedra per small box,
-/// all around its diagonal from the least to the greatest vertex (Kuhn), positively oriented.
+/// The mesh of a CubeSpec: vertices and cells numbered from 0, x fastest; six tetrahedra per small
+/// box, all around its diagonal from the least to the greatest vertex (Kuhn), positively oriented.
 /// Throws InputError if there are too many cells for 32-bit ids. Time: linear.
 Mesh kuhn_cube(const CubeSpec& spec);
 

@@ -18,8 +18,8 @@ struct Part {
   std::int64_t bytes = 0;  // growth of the heap by it: what it holds, not what it used on the way
 };
 
-/// The record of the parts of a run, in the order in which they were first built. A part that is not
-/// in it was never constructed.
+/// The record of the parts of a run, in the order in which they were first built. A part that is
+/// not in it was never constructed.
 class Parts {
  public:
   Parts();

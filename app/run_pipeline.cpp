@@ -15,6 +15,8 @@
 #include "kuhn_cube.hpp"
 #include "mesh_file.hpp"
 #include "run_body.hpp"
+#include "run_page.hpp"
+#include "run_solve.hpp"
 #include "run_states.hpp"
 #include "scene_physics.hpp"
 #include "scene_stroke.hpp"
@@ -22,7 +24,26 @@
 namespace cleave::app {
 namespace {
 
+constexpr const char* kFinalVtu = "final.vtu";
+constexpr const char* kPage = "index.html";
+
 using Clock = std::chrono::steady_clock;
+
+std::string selected_by(const StrokeSpec& spec) {
+  if (std::holds_alternative<FacetList>(spec.path)) return "facets";
+  if (std::holds_alternative<GroupNames>(spec.path)) return "group";
+  return spec.select.rule == cutting::Rule::dual_edge ? "dual-edge" : "nearest-vertex";
+}
+
+void warn_of(const StrokeReport& stroke, std::vector<std::string>& warnings) {
+  if (stroke.requested == 0)
+    warnings.push_back(
+        fmt::format("{} misses the body: it selects no interior facet", stroke.name));
+  if (stroke.not_interior > 0)
+    warnings.push_back(
+        fmt::format("{}: {} of the facets lie on the boundary; there is nothing to cut",
+                    stroke.name, stroke.not_interior));
+}
 
 double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -82,9 +103,10 @@ void Run::load_mesh() {
     return read_mesh(std::get<std::filesystem::path>(scene_.mesh));
   });
   if (mesh_.dimension != 3)
-    throw InputError(fmt::format(
-        "{}: at /mesh: a scene needs tetrahedra, and the cells of {} are {}; give a mesh of a volume",
-        scene_.source, mesh_.source, mesh_.dimension == 2 ? "triangles" : "edges"));
+    throw InputError(
+        fmt::format("{}: at /mesh: a scene needs tetrahedra, and the cells of {} are {}; give a "
+                    "mesh of a volume",
+                    scene_.source, mesh_.source, mesh_.dimension == 2 ? "triangles" : "edges"));
   report().title = scene_.title;
   report().cells = mesh_.cells().size();
   report().vertices_before = report().vertices_after = used_vertices(mesh_);
@@ -100,6 +122,7 @@ void Run::build_complex() {
   report().pieces = topology::pieces(body_.complex).count;
   report().pinched_edges =
       parts_.build("pinched-edge check", [&] { return pinched_edges(body_, *incision_); });
+  report().regularized = regularized_vertices(body_);
   for (const auto& split : body_.regularized)
     report().warnings.push_back(fmt::format(
         "vertex {} of {} is not cut-regular (its cells hang together only in that vertex); it was "
@@ -113,14 +136,13 @@ void Run::build_physics() {
     try {
       return fem::ElasticOperator(incision_->complex(), points_, materials_->lame);
     } catch (const fem::InvalidBody& e) {
-      throw InputError(describe_in_file(e, mesh_));
+      throw InputError(describe_flaws(e, mesh_));
     }
   });
   if (!scene_.supports.empty())
     supports_ = parts_.build("supports", [&] { return supports_of(scene_, body_); });
   if (!scene_.loads.empty())
-    loads_ =
-        parts_.build("loads", [&] { return loads_of(scene_, body_, points_, *materials_); });
+    loads_ = parts_.build("loads", [&] { return loads_of(scene_, body_, points_, *materials_); });
 }
 
 void Run::stroke(std::size_t i) {
@@ -131,8 +153,7 @@ void Run::stroke(std::size_t i) {
   stroke.selected_by = selected_by(spec);
   stroke.pieces_before = topology::pieces(incision_->complex()).count;
   const auto start = Clock::now();
-  const SceneStroke made =
-      make_stroke(spec, scene_.source, body_, *incision_, points_, parts_);
+  const SceneStroke made = make_stroke(spec, scene_.source, body_, *incision_, points_, parts_);
   stroke.cut_milliseconds = milliseconds_since(start);
   stroke.steps = made.steps;
   stroke.requested = made.requested.size();
@@ -209,26 +230,24 @@ void Run::keep_state(const std::string& label, std::optional<std::size_t> stroke
   const Eigen::VectorXd none;
   const Eigen::VectorXd& shown = solve && solve->has_displacement ? displacement_ : none;
   const bool last = report().states.size() == scene_.strokes.size();
-  if (scene_.output.vtu && (last || scene_.output.frames == OutputSpec::Frames::states)) {
+  const bool every = scene_.output.frames == OutputSpec::Frames::states;
+  if (scene_.output.vtu && (last || every))
     parts_.build("vtu", [&] {
-      StateMesh made = state_mesh(body_, *incision_, shown);
-      if (last) {
-        report().regularized = regularized_vertices(body_, made);
-        report().vertices_after = made.mesh.points.size();
-        report().warnings.insert(report().warnings.end(), made.warnings.begin(),
-                                 made.warnings.end());
-      }
-      if (scene_.output.frames == OutputSpec::Frames::states) {
+      Mesh mesh = state_mesh(body_, *incision_, shown, report().warnings);
+      if (every) {
         state.vtu = fmt::format("state-{:03}.vtu", report().states.size());
-        result_.vtu.push_back({state.vtu, made.mesh});
+        result_.vtu.push_back({state.vtu, mesh});
       }
-      if (last) result_.vtu.push_back({"final.vtu", std::move(made.mesh)});
+      if (last) result_.vtu.push_back({kFinalVtu, std::move(mesh)});
     });
-  }
   if (scene_.output.page)
     parts_.build("page", [&] {
-      if (!result_.page) result_.page = first_page(scene_, body_, points_, report());
-      add_page_state(*result_.page, label, *incision_, shown, solve);
+      if (!result_.page) {
+        result_.page = new_page(scene_, mesh_, materials_);
+        add_body(*result_.page, body_, points_, report());
+      }
+      add_state(*result_.page, label, *incision_, shown,
+                stroke ? report().strokes[*stroke].pieces_after : report().pieces, solve);
     });
   report().states.push_back(std::move(state));
 }
@@ -238,16 +257,38 @@ RunResult Run::finish_without_complex() {
     report().warnings.push_back("supports and loads do nothing without \"solve\"");
   StateReport state;
   state.label = "At rest";
-  if (scene_.output.vtu) {
-    parts_.build("vtu", [&] { result_.vtu.push_back({"final.vtu", bare_mesh(mesh_)}); });
-    if (scene_.output.frames == OutputSpec::Frames::states) {
-      state.vtu = "state-000.vtu";
-      result_.vtu.insert(result_.vtu.begin(), {state.vtu, result_.vtu.back().mesh});
-    }
-    report().final_vtu = "final.vtu";
-  }
-  report().states.push_back(std::move(state));
+  if (scene_.output.vtu)
+    parts_.build("vtu", [&] {
+      Mesh mesh = bare_mesh(mesh_);
+      if (scene_.output.frames == OutputSpec::Frames::states) {
+        state.vtu = "state-000.vtu";
+        result_.vtu.push_back({state.vtu, mesh});
+      }
+      result_.vtu.push_back({kFinalVtu, std::move(mesh)});
+    });
   if (scene_.output.page)
-    parts_.build("page", [&] { result_.page = bare_page(scene_, mesh_, materials_); });
+    parts_.build("page", [&] {
+      result_.page = new_page(scene_, mesh_, materials_);
+      add_bare_state(*result_.page, mesh_, state.label);
+    });
+  report().states.push_back(std::move(state));
+  return finish();
+}
+
+RunResult Run::finish() {
+  if (report().has_complex) report().vertices_after = used_vertices(incision_->complex());
+  if (!result_.vtu.empty()) report().final_vtu = kFinalVtu;
+  if (result_.page) {
+    report().page = kPage;
+    add_report(*result_.page, scene_, report());
+  }
   return std::move(result_);
 }
+
+}  // namespace
+
+RunResult run_scene(const Scene& scene, const std::function<void(const std::string&)>& progress) {
+  return Run(scene, progress).execute();
+}
+
+}  // namespace cleave::app

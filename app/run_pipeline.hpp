@@ -20,15 +20,16 @@ struct StateFile {
 /// What a run leaves: nothing has been written yet.
 struct RunResult {
   RunReport report;
-  std::vector<StateFile> vtu;   // in time order, final.vtu last
+  std::vector<StateFile> vtu;  // in time order, final.vtu last
   std::optional<PageData> page;
 };
 
-/// Runs a scene: loads or makes the mesh, regularises it, solves at rest, and after each stroke cuts,
-/// brings operator, supports, loads and displacement up to date and solves again from there. Builds
-/// no part that the scene does not name: the complex (with its mates) only for a scene that cuts or
-/// solves, the operator only to solve. `progress` is called now and then with a line to show.
-/// Throws InputError for whatever is invalid in the scene or its mesh. Failed solves are outcomes.
+/// Runs a scene: loads or makes the mesh, regularises it, solves at rest, and after each stroke
+/// cuts, brings operator, supports, loads and displacement up to date and solves again from there.
+/// Builds no part that the scene does not name: the complex (with its mates) only for a scene that
+/// cuts or solves, the operator only to solve. `progress` is called now and then with a line to
+/// show. Throws InputError for whatever is invalid in the scene or its mesh. Failed solves are
+/// outcomes.
 RunResult run_scene(const Scene& scene, const std::function<void(const std::string&)>& progress);
 
 }  // namespace cleave::app

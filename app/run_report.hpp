@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -20,20 +21,21 @@ struct Gap {
 
 struct StrokeReport {
   std::string name;
-  std::string selected_by;        // "dual-edge", "nearest-vertex", "facets", "group"
-  std::size_t steps = 0;          // of a blade
-  std::size_t requested = 0;      // distinct interior facets asked for or selected
-  std::size_t opened = 0;         // of those, open after the stroke
-  std::size_t shut = 0;           // of those, shut after the stroke
-  std::size_t newly_opened = 0;   // facets that opened in this stroke, some scored by earlier ones
-  std::size_t not_interior = 0;   // asked for, but on the boundary of the body
+  std::string selected_by;       // "dual-edge", "nearest-vertex", "facets", "group"
+  std::size_t steps = 0;         // of a blade
+  std::size_t requested = 0;     // distinct interior facets asked for or selected
+  std::size_t opened = 0;        // of those, open after the stroke
+  std::size_t shut = 0;          // of those, shut after the stroke
+  std::size_t newly_opened = 0;  // facets that opened in this stroke, some scored by earlier ones
+  std::size_t not_interior = 0;  // asked for, but on the boundary of the body
   std::size_t new_vertices = 0;
   std::size_t pieces_before = 0, pieces_after = 0;
   std::size_t pinched_edges = 0;  // after the stroke
-  double cut_milliseconds = 0.0;     // select and open
-  double follow_milliseconds = 0.0;  // operator, supports, loads and displacement brought up to date
-  std::optional<Gap> gap;            // by the solve right after the stroke
-  std::optional<Gap> final_gap;      // by the last solve
+  double cut_milliseconds = 0.0;  // select and open
+  double follow_milliseconds =
+      0.0;                       // operator, supports, loads and displacement brought up to date
+  std::optional<Gap> gap;        // by the solve right after the stroke
+  std::optional<Gap> final_gap;  // by the last solve
 };
 
 struct SolveReport {
@@ -49,14 +51,13 @@ struct SolveReport {
     std::size_t piece = 0;
     std::uint64_t a_cell = 0;
     std::size_t cells = 0, free_modes = 0;
-    std::string text;
     std::array<double, 3> removed_force{}, removed_moment{};
   };
   std::vector<Floating> floating;  // pieces with free rigid modes
   std::size_t pieces = 0;
   bool has_displacement = false;
-  double largest_displacement = 0.0;              // length of the longest one
-  std::array<double, 3> low{}, high{};            // per axis
+  double largest_displacement = 0.0;    // length of the longest one
+  std::array<double, 3> low{}, high{};  // per axis
   double milliseconds = 0.0;
 };
 
@@ -74,7 +75,7 @@ struct PinchedEdge {
 /// One state of the body: at rest first, then after each stroke.
 struct StateReport {
   std::string label;
-  std::string vtu;  // file name; empty: none
+  std::string vtu;                           // file name; empty: none
   std::optional<std::size_t> stroke, solve;  // places in the lists of the run
 };
 
@@ -102,8 +103,8 @@ struct RunReport {
   }
 };
 
-/// At most `limit` (3 or more) of `samples`, evenly over the iterations, with the first and the last
-/// one and the last one that has an estimate of the energy error.
+/// At most `limit` (3 or more) of `samples`, evenly over the iterations, with the first and the
+/// last one and the last one that has an estimate of the energy error.
 std::vector<fem::Sample> thinned(const std::vector<fem::Sample>& samples, std::size_t limit);
 
 /// The report as summary.json (`cleave-run/1`; docs/schemas/cleave-run-1.schema.json).

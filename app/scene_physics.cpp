@@ -27,7 +27,8 @@ void require_material_everywhere(const Scene& scene, const Mesh& mesh,
   for (std::uint32_t cell = 0; cell < of_cell.size(); ++cell)
     if (of_cell[cell] == kNoMaterial)
       throw InputError(fmt::format(
-          "{}: at /material/groups: cell {} of {} has no material; it is in {}. Give one to a group "
+          "{}: at /material/groups: cell {} of {} has no material; it is in {}. Give one to a "
+          "group "
           "that holds it",
           scene.source, mesh.cells().numbers[cell], mesh.source, groups_of_cell(mesh, cell)));
 }
@@ -75,11 +76,12 @@ SceneMaterials materials_of(const Scene& scene, const Mesh& mesh) {
     const Group& group = named_group(mesh, spec.group, mesh.dimension, scene.source, spec.at);
     for (const std::uint32_t cell : group.elements) {
       if (of_cell[cell] != kNoMaterial)
-        throw InputError(fmt::format(
-            "{}: cell {} of {} gets two materials, of {} and of {}; it is in {}. Take it out of all "
-            "but one",
-            scene.source, mesh.cells().numbers[cell], mesh.source,
-            scene.materials[of_cell[cell]].at, spec.at, groups_of_cell(mesh, cell)));
+        throw InputError(
+            fmt::format("{}: cell {} of {} gets two materials, of {} and of {}; it is in {}. Take "
+                        "it out of all "
+                        "but one",
+                        scene.source, mesh.cells().numbers[cell], mesh.source,
+                        scene.materials[of_cell[cell]].at, spec.at, groups_of_cell(mesh, cell)));
       of_cell[cell] = m;
     }
   }

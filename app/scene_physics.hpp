@@ -9,8 +9,8 @@
 #include "cleave/fem/loads.hpp"
 #include "scene.hpp"
 
-/// A scene's material, supports and loads on the body at rest. Everything here throws InputError that
-/// names the scene's file, the entry and the file's own numbers.
+/// A scene's material, supports and loads on the body at rest. Everything here throws InputError
+/// that names the scene's file, the entry and the file's own numbers.
 namespace cleave::app {
 
 struct SceneMaterials {

@@ -17,8 +17,8 @@ using topology::Relabelling;
 using topology::VertexId;
 
 SceneStroke along_blade(const BladePath& path, const StrokeSpec& spec, const std::string& source,
-                        topology::Incision<3>& incision,
-                        std::vector<std::array<double, 3>>& points, Parts& parts) {
+                        topology::Incision<3>& incision, std::vector<std::array<double, 3>>& points,
+                        Parts& parts) {
   const auto sweep = cutting::sweep_of_blade(path.positions);
   SceneStroke stroke;
   stroke.steps = sweep.step_count();
@@ -69,8 +69,8 @@ std::vector<topology::HalfFacetId> named_facets(const StrokeSpec& spec, const st
 }  // namespace
 
 SceneStroke make_stroke(const StrokeSpec& spec, const std::string& source, const Body<3>& body,
-                        topology::Incision<3>& incision,
-                        std::vector<std::array<double, 3>>& points, Parts& parts) {
+                        topology::Incision<3>& incision, std::vector<std::array<double, 3>>& points,
+                        Parts& parts) {
   if (const auto* path = std::get_if<BladePath>(&spec.path))
     return along_blade(*path, spec, source, incision, points, parts);
   return parts.build("cut", [&] {

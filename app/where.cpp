@@ -150,8 +150,7 @@ std::vector<HalfFacetId> boundary_facets_in(const Where& where, const Body<3>& b
     for (std::uint32_t h = 0; h < k.half_facet_count(); ++h) {
       if (k.is_interior({h})) continue;
       const auto facet = k.facet({h});
-      if (std::all_of(facet.begin(), facet.end(),
-                      [&](VertexId v) { return flags[body.place(v)]; }))
+      if (std::all_of(facet.begin(), facet.end(), [&](VertexId v) { return flags[body.place(v)]; }))
         facets.push_back({h});
     }
   }

@@ -17,8 +17,8 @@ namespace cleave::app {
 std::vector<topology::VertexId> vertices_in(const Where& where, const Body<3>& body,
                                             const std::string& source);
 
-/// The boundary half-facets with all three vertices there; of a group, its facets that are boundary.
-/// Ascending. Time: linear in the mesh.
+/// The boundary half-facets with all three vertices there; of a group, its facets that are
+/// boundary. Ascending. Time: linear in the mesh.
 std::vector<topology::HalfFacetId> boundary_facets_in(const Where& where, const Body<3>& body,
                                                       const std::string& source);
 

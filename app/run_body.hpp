@@ -1,0 +1,29 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "body.hpp"
+#include "cleave/fem/body.hpp"
+#include "cleave/topology/incision.hpp"
+#include "run_report.hpp"
+
+/// What a run reports about its body.
+namespace cleave::app {
+
+/// The number of vertices that cells of `mesh` use.
+std::size_t used_vertices(const Mesh& mesh);
+std::size_t used_vertices(const topology::Complex<3>& k);
+
+/// The edges whose cells fall into several parts, in the numbers of the file; a copy of a vertex
+/// counts as its parent. Time: O(n log n) in the cells.
+std::vector<PinchedEdge> pinched_edges(const Body<3>& body, const topology::Incision<3>& incision);
+
+/// What regularisation split, copies in the numbering of the .vtu files, which leaves out vertices
+/// that no cell uses.
+std::vector<RegularizedVertex> regularized_vertices(const Body<3>& body);
+
+/// The flaws of a body in the numbers of its file, for an InputError.
+std::string describe_flaws(const fem::InvalidBody& invalid, const Mesh& mesh);
+
+}  // namespace cleave::app
