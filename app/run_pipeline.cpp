@@ -131,7 +131,7 @@ void Run::build_complex() {
 }
 
 void Run::build_physics() {
-  progress_("operator, supports, loads");
+  progress_("physics");
   operator_ = parts_.build("operator", [&] {
     try {
       return fem::ElasticOperator(incision_->complex(), points_, materials_->lame);
@@ -193,13 +193,9 @@ void Run::follow(const topology::Relabelling& change) {
 
 void Run::solve(const std::string& after) {
   const topology::Complex<3>& k = incision_->complex();
-  const std::string what = after.empty() ? "solving at rest" : "solving after " + after;
-  progress_(what);
+  progress_(after.empty() ? "solving at rest" : "solving after " + after);
   const Eigen::VectorXd force = force_of(loads_, k, points_);
-  fem::SolveOptions options = solve_options(*scene_.solve);
-  options.on_iterate = [&](std::size_t iteration, const Eigen::VectorXd&) {
-    if (iteration % 50 == 0) progress_(fmt::format("{}: {} iterations", what, iteration));
-  };
+  const fem::SolveOptions options = solve_options(*scene_.solve);
   const bool warm = displacement_.size() != 0;
   const fem::SolveResult solved = parts_.build("solver", [&] {
     return fem::solve(k, points_, *operator_, supports_, force, options, displacement_);
@@ -207,6 +203,7 @@ void Run::solve(const std::string& after) {
   SolveReport solve = report_of(solved, k, mesh_);
   solve.after = after;
   solve.warm_start = warm;
+  solve.preconditioner = options.preconditioner == fem::Preconditioner::none ? "none" : "jacobi";
   if (solve.has_displacement) {
     displacement_ = solved.displacement;
     for (std::size_t i = 0; i < opened_by_stroke_.size(); ++i) {
@@ -286,6 +283,12 @@ RunResult Run::finish() {
 }
 
 }  // namespace
+
+std::size_t run_stages(const Scene& scene) {
+  const bool solves = scene.solve.has_value();
+  if (!solves && scene.strokes.empty()) return 1;                         // mesh
+  return 2 + (solves ? 2 : 0) + scene.strokes.size() * (solves ? 2 : 1);  // complex, physics, ..
+}
 
 RunResult run_scene(const Scene& scene, const std::function<void(const std::string&)>& progress) {
   return Run(scene, progress).execute();

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -16,6 +17,9 @@ struct StateFile {
   std::string name;
   Mesh mesh;
 };
+
+/// How many stages run_scene will announce.
+std::size_t run_stages(const Scene& scene);
 
 /// What a run leaves: nothing has been written yet.
 struct RunResult {

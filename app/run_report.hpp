@@ -42,7 +42,8 @@ struct SolveReport {
   std::string after;  // the stroke's name; empty: at rest
   fem::Outcome outcome{};
   std::size_t iterations = 0;
-  bool warm_start = false;
+  bool warm_start = false;  // from the displacement of the solve before
+  std::string preconditioner;
   double residual = 0.0;
   std::optional<double> energy_error;
   double energy_norm = 0.0;
