@@ -92,7 +92,7 @@ PageData new_page(const Scene& scene, const Mesh& mesh,
   page.cell_numbers = mesh.cells().numbers;
   if (materials) {
     for (const MaterialSpec& material : scene.materials)
-      page.materials.push_back({material_name(material)});
+      page.materials.push_back(material_name(material));
     page.material_of_cell = materials->lame.of_cell;
   }
   return page;
@@ -146,7 +146,6 @@ void add_report(PageData& page, const Scene& scene, const RunReport& report) {
     page.summary.push_back(solve_line(solve));
     page.solves.push_back(page_solve(solve, *scene.solve));
   }
-  page.first_state = page.states.size() - 1;
 }
 
 }  // namespace cleave::app

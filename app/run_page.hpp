@@ -28,7 +28,7 @@ void add_state(PageData& page, const std::string& label, const topology::Incisio
 /// Adds points and the one state of a run without complex. Time: O(n log n), to count the pieces.
 void add_bare_state(PageData& page, const Mesh& mesh, const std::string& label);
 
-/// Adds the solves and the lines under the title. The last state is shown first.
+/// Adds the solves and the lines under the title.
 void add_report(PageData& page, const Scene& scene, const RunReport& report);
 
 }  // namespace cleave::app
