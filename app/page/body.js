@@ -1,7 +1,7 @@
 // The drawn body: the visible facets as loose triangles. Each corner carries its place at rest and its
 // displacement in two states, so that a copy leaves its parent smoothly and playing costs no refill.
 import * as THREE from "three";
-import {OPENED_COLOUR, PLAIN_COLOUR, SHUT_COLOUR, materialColour, parts, viridisTable} from "cleave/colours.js";
+import {OPENED_COLOUR, PLAIN_COLOUR, SHUT_COLOUR, displacementColours, materialColour} from "cleave/colours.js";
 import {SKIN, facetCorners} from "cleave/mesh.js";
 
 const VERTEX = `
@@ -51,7 +51,7 @@ void main() {
 
   vec3 width = fwidth(vEdge), pixels = vEdge / width;
   float nearest = min(pixels.x, min(pixels.y, pixels.z));
-  float fine = smoothstep(0.02, 0.16, 1.0 / (1.0 / max(width.x, max(width.y, width.z)) + 1.0));
+  float fine = smoothstep(0.12, 0.4, max(width.x, max(width.y, width.z)));  // no room for lines
   base *= 1.0 - edges * 0.55 * (1.0 - fine) * (1.0 - smoothstep(0.3, 1.3, nearest));
   vec3 colour = lit(base, n);
   for (int i = 0; i < 3; ++i) {
@@ -63,8 +63,8 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-function viridisTexture() {
-  const texture = new THREE.DataTexture(viridisTable(256), 256, 1);
+function displacementTexture() {
+  const texture = new THREE.DataTexture(displacementColours(256), 256, 1);
   texture.colorSpace = THREE.SRGBColorSpace;
   texture.magFilter = texture.minFilter = THREE.LinearFilter;
   texture.needsUpdate = true;
@@ -77,7 +77,7 @@ export const COLOURINGS = ["plain", "displacement", "material"];
 export function sharedUniforms() {
   const colour = (text) => ({value: new THREE.Color(text)});
   return {
-    scale: {value: 1}, range: {value: 1}, map: {value: viridisTexture()}, colouring: {value: 1},
+    scale: {value: 1}, range: {value: 1}, map: {value: displacementTexture()}, colouring: {value: 1},
     edges: {value: 1}, incision: {value: 1}, up: {value: new THREE.Vector3(0, 0, 1)},
     plain: colour(PLAIN_COLOUR), opened: colour(OPENED_COLOUR), shut: colour(SHUT_COLOUR),
   };

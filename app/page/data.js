@@ -60,3 +60,6 @@ export function readable(value) {
   const size = Math.abs(value);
   return size >= 1e5 || size < 1e-3 ? value.toExponential(2) : String(+value.toPrecision(4));
 }
+
+/// An outcome such as iteration_limit, for people.
+export const inWords = (outcome) => outcome.replaceAll("_", " ");

@@ -1,7 +1,7 @@
 // The controls beside and under the canvas. They ask for changes through `update(patch)` and show the
 // view they are given; they keep no state of their own.
-import {readable} from "cleave/data.js";
-import {OPENED_COLOUR, SHUT_COLOUR, materialColour, viridisGradient} from "cleave/colours.js";
+import {inWords, readable} from "cleave/data.js";
+import {OPENED_COLOUR, SHUT_COLOUR, displacementGradient, materialColour} from "cleave/colours.js";
 import {MARK_COLOURS} from "cleave/marks.js";
 import {drawPlot} from "cleave/plot.js";
 
@@ -56,7 +56,7 @@ export class Panel {
       const cell = (text) => make("td", {}, String(text));
       const name = make("th", {scope: "row"}, make("button", {type: "button", onclick: go(i)}, state.label));
       const outcome = make("td", {}, make("span", {className: `outcome ${state.outcome === "converged" ? "good" : "bad"}`},
-          state.outcome.replaceAll("_", " ")));
+          inWords(state.outcome)));
       return make("tr", {}, name, cell(state.pieces), cell(state.opened.length), cell(state.shut.length),
           cell(solved ? state.iterations : "–"), state.outcome ? outcome : cell("–"));
     }));
@@ -69,9 +69,9 @@ export class Panel {
       const box = make("input", {type: "checkbox", onchange: () =>
           update((view) => ({findings: view.findings.map((on, k) => (k === i ? box.checked : on))}))});
       const list = make("ul", {}, ...finding.marks.map(({label}) => make("li", {}, label)));
-      element("findings").append(
-          make("label", {}, box, swatch(MARK_COLOURS[i % MARK_COLOURS.length]), `${finding.name} (${finding.marks.length})`),
-          make("details", {}, make("summary", {}, "Which?"), list));
+      const name = make("label", {}, box, swatch(MARK_COLOURS[i % MARK_COLOURS.length]),
+          `${finding.name} (${finding.marks.length})`);
+      element("findings").append(make("div", {}, name, make("details", {}, make("summary", {}, "Which?"), list)));
       return box;
     });
   }
@@ -116,7 +116,7 @@ export class Panel {
     const parts = [];
     if (view.colour === "displacement") {
       const bar = make("div", {className: "bar"});
-      bar.style.background = viridisGradient;
+      bar.style.background = displacementGradient();
       const ends = [0, 0.5 * view.range, view.range].map((x) => make("span", {}, readable(x)));
       const unit = lengthUnit ? ` (${lengthUnit})` : "";
       const drawn = view.scale === 1 ? "" : `, drawn ×${readable(view.scale)}`;

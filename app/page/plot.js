@@ -1,5 +1,5 @@
 // Residual and energy-error estimate of every solve against run time, as SVG with a readout.
-import {readable} from "cleave/data.js";
+import {inWords, readable} from "cleave/data.js";
 
 const COLOURS = ["var(--series-1)", "var(--series-2)", "var(--series-3)", "var(--series-4)", "var(--series-5)", "var(--series-6)"];
 const WIDTH = 360, HEIGHT = 216, LEFT = 42, RIGHT = 8, TOP = 8, BOTTOM = 30;
@@ -140,7 +140,7 @@ export function drawPlot(into, all) {
   const names = solves.map((solve, s) => {
     const swatch = html("i", "swatch");
     swatch.style.background = COLOURS[s % COLOURS.length];
-    return html("span", "", swatch, solve.label, html("small", "", solve.outcome));
+    return html("span", "", swatch, solve.label, html("small", "", inWords(solve.outcome)));
   });
   const kinds = CURVES.map(([, name, dashes]) => html("span", dashes ? "dashed" : "solid", html("i", "stroke"), name));
   const text = html("p", "readout", "Point at a curve to read it.");

@@ -1,7 +1,7 @@
 // The canvas: camera, controls, one or two views of the body, labels, the little axes, and picking.
 import * as THREE from "three";
 import {OrbitControls} from "three/OrbitControls.js";
-import {Body, COLOURINGS, sharedUniforms} from "cleave/body.js";
+import {Body, COLOURINGS, cornerDisplacement, sharedUniforms} from "cleave/body.js";
 import {readable} from "cleave/data.js";
 import {Marks, MARK_COLOURS} from "cleave/marks.js";
 import {INSIDE, OPENED, SHUT, SKIN, cellsBeyond, facetCorners, incisionEdges, readMesh, scoredFacets, visibleFacets} from "cleave/mesh.js";
@@ -43,7 +43,7 @@ class Scene {
   seeThrough(on) {
     this.sheet.object.visible = on;
     const {material, opacity} = this.body;
-    opacity.value = on ? 0.2 : 1;
+    opacity.value = on ? 0.28 : 1;
     if (material.transparent !== on) material.needsUpdate = true;
     material.transparent = on;
     material.depthWrite = !on;
@@ -88,12 +88,13 @@ export class Stage {
     this.controls.enableDamping = !matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.controls.dampingFactor = 0.12;
     this.controls.addEventListener("change", () => this.invalidate());
+    this.controls.addEventListener("start", () => { this.framed = null; });
     this.radius = 0.5 * Math.hypot(...this.mesh.high.map((x, axis) => x - this.mesh.low[axis])) || 1;
     this.home = directionOfIncision(this.mesh, data.states);
     new ResizeObserver(() => this.resize()).observe(element("view"));
+    this.framed = {};
     this.listen();
     this.resize();
-    this.look();
   }
 
   listen() {
@@ -115,28 +116,58 @@ export class Stage {
     this.canvas.addEventListener("webglcontextrestored", () => this.invalidate());
   }
 
-  /// Looks at the middle of the body from `azimuth` and `elevation` (degrees), or at the incision.
+  /// Looks at the body as it is last, from `azimuth` and `elevation` (degrees), or at the incision;
+  /// frames all of it. Stays framed when the window changes, until somebody moves the camera.
   look(camera) {
     let direction = this.home;
     if (camera) {
       const [a, e] = [camera.azimuth, Math.min(Math.max(camera.elevation, -89), 89)].map(THREE.MathUtils.degToRad);
       direction = new THREE.Vector3(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e));
     }
-    const narrow = Math.min(1, this.camera.aspect);
-    const half = Math.atan(Math.tan(THREE.MathUtils.degToRad(FIELD_OF_VIEW / 2)) * narrow);
-    const distance = 0.98 * this.radius / Math.sin(half) / (camera?.zoom ?? 1);
-    this.controls.target.set(0, 0, 0);
-    this.camera.position.copy(direction).multiplyScalar(distance);
+    this.framed = {camera};
     this.camera.near = 0.01 * this.radius;
     this.camera.far = 40 * this.radius;
     this.controls.minDistance = 0.05 * this.radius;
     this.controls.maxDistance = 20 * this.radius;
     this.camera.updateProjectionMatrix();
+    const {target, distance} = this.frameOf(direction, (this.view ?? {scale: 1}).scale);
+    this.controls.target.copy(target);
+    this.camera.position.copy(direction).multiplyScalar(distance / (camera?.zoom ?? 1)).add(target);
     this.controls.update();
     this.invalidate();
   }
 
+  // The middle of what is seen from `direction`, and the distance from which all of it is in view.
+  frameOf(direction, scale) {
+    const beside = new THREE.Vector3().crossVectors(this.camera.up, direction).normalize();
+    const above = new THREE.Vector3().crossVectors(direction, beside);
+    const axes = [beside, above, direction], box = axes.map(() => [Infinity, -Infinity]);
+    const state = this.data.states.at(-1), u = [0, 0, 0], place = new THREE.Vector3(), places = [];
+    for (let corner = 0; corner < this.mesh.cells.length; ++corner) {
+      cornerDisplacement(state, corner, u, 0);
+      place.fromArray(this.mesh.points, 3 * this.mesh.cells[corner]);
+      place.set(place.x + scale * u[0], place.y + scale * u[1], place.z + scale * u[2]);
+      axes.forEach((axis, i) => {
+        const x = place.dot(axis);
+        places.push(x);
+        box[i] = [Math.min(box[i][0], x), Math.max(box[i][1], x)];
+      });
+    }
+    const middle = box.map(([low, high]) => 0.5 * (low + high));
+    const slope = Math.tan(THREE.MathUtils.degToRad(FIELD_OF_VIEW / 2));
+    let distance = 0;
+    for (let i = 0; i < places.length; i += 3) {
+      const wide = Math.abs(places[i] - middle[0]) / (slope * this.camera.aspect);
+      const high = Math.abs(places[i + 1] - middle[1]) / slope;
+      distance = Math.max(distance, Math.max(wide, high) + places[i + 2] - middle[2]);
+    }
+    const target = new THREE.Vector3();
+    axes.forEach((axis, i) => target.addScaledVector(axis, middle[i]));
+    return {target, distance: 1.12 * distance || this.radius};
+  }
+
   turn(azimuth, elevation) {
+    this.framed = null;
     const arm = this.camera.position.clone().sub(this.controls.target);
     arm.applyAxisAngle(this.camera.up, THREE.MathUtils.degToRad(azimuth));
     const beside = this.camera.up.clone().cross(arm).normalize();
@@ -148,6 +179,7 @@ export class Stage {
   }
 
   approach(factor) {
+    this.framed = null;
     this.camera.position.sub(this.controls.target).multiplyScalar(factor).add(this.controls.target);
     this.controls.update();
     this.invalidate();
@@ -200,13 +232,10 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
     const [, , , w, h] = this.viewports()[0];
-    // A narrower view of the same body: step back as far as the narrow side asks for.
-    const narrow = (aspect) => Math.min(1, aspect);
-    const factor = narrow(this.camera.aspect) / narrow(w / h);
     this.camera.aspect = w / h;
     this.camera.updateProjectionMatrix();
-    if (this.camera.position.lengthSq() > 0) this.approach(factor);
-    this.invalidate();
+    if (this.framed) this.look(this.framed.camera);
+    this.draw();  // at once: the new size cleared the canvas
   }
 
   invalidate() {
@@ -235,7 +264,7 @@ export class Stage {
       for (const label of scene.marks.visibleLabels(this.camera, scene.t.value, this.view.scale)) {
         const {x: px, y: py, z} = label.at.project(this.camera);
         if (Math.abs(px) < 1 && Math.abs(py) < 1 && z < 1)
-          labels.push([label, x + (0.5 + 0.5 * px) * w, top + (0.5 - 0.5 * py) * h]);
+          labels.push([label, x + (0.5 + 0.5 * px) * w, top + (0.5 - 0.5 * py) * h, px > 0.6]);
       }
     }
     this.drawLabels(labels);
@@ -243,10 +272,19 @@ export class Stage {
     this.onDrawn?.();
   }
 
+  // Labels that would cover another one move down.
   drawLabels(labels) {
-    element("labels").replaceChildren(...labels.map(([{label, finding}, x, y]) => {
+    const taken = [];
+    for (const entry of labels) {
+      const width = 26 + 6.2 * entry[0].label.length, left = entry[3] ? entry[1] - width : entry[1];
+      const covers = (other) => Math.abs(other.y - entry[2]) < 19 && left < other.right && other.left < left + width;
+      for (let tries = 0; tries < 12 && taken.some(covers); ++tries) entry[2] += 6;
+      taken.push({left, right: left + width, y: entry[2]});
+    }
+    element("labels").replaceChildren(...labels.map(([{label, finding}, x, y, toTheLeft]) => {
       const span = document.createElement("span");
       span.textContent = label;
+      span.classList.toggle("left", toTheLeft);
       span.style.cssText = `left:${x}px;top:${y}px;--mark:${MARK_COLOURS[finding % MARK_COLOURS.length]}`;
       return span;
     }));
