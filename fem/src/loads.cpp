@@ -1,5 +1,6 @@
 #include "cleave/fem/loads.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
