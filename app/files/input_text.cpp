@@ -102,6 +102,15 @@ std::size_t require_readable_file(const std::filesystem::path& path) {
   return file.size;
 }
 
+std::string printable(std::string_view text, std::size_t longest) {
+  std::string shown;
+  for (const char c : text.substr(0, longest)) {
+    const bool is_printable = static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
+    shown += is_printable ? c : '?';
+  }
+  return text.size() > longest ? shown + "..." : shown;
+}
+
 std::string_view describe_content(std::string_view bytes) {
   const auto starts = [&](std::string_view with) { return bytes.substr(0, with.size()) == with; };
   if (starts("\x1f\x8b")) return "a gzip archive (unpack it first)";

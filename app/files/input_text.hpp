@@ -40,6 +40,9 @@ class InputText {
 /// that do the reading themselves. Returns its size in bytes.
 std::size_t require_readable_file(const std::filesystem::path& path);
 
+/// Text from a file as a message may show it: control characters replaced, at most `longest` bytes.
+std::string printable(std::string_view text, std::size_t longest = 200);
+
 /// What the first bytes of a file look like: "an XML file", "binary data", ...; empty if unknown.
 std::string_view describe_content(std::string_view bytes);
 

@@ -129,7 +129,7 @@ class MeditReader {
                          " are not linear simplices, the only elements Cleave works on; split "
                          "them into edges, triangles or tetrahedra first");
     } else {
-      row.fail("unknown keyword '" + keyword.substr(0, 40) +
+      row.fail("unknown keyword '" + printable(keyword, 40) +
                "'; known are Dimension, Vertices, Edges, Triangles, Tetrahedra, End and the "
                "sections that are skipped (Corners, Ridges, Normals, ...)");
     }

@@ -61,7 +61,7 @@ MshVersion read_version(const InputText& text) {
   if (version == "4.1") return MshVersion::k41;
   for (const char* old : {"2.2", "2.1", "2.0", "2"})
     if (version == old) return MshVersion::k22;
-  row.fail("this is version " + version.substr(0, 10) +
+  row.fail("this is version " + printable(version, 10) +
            " of gmsh's format; versions 2.2 and 4.1 are read" + kHowToConvert);
 }
 
@@ -154,16 +154,16 @@ std::vector<MshSection> msh_sections(const InputText& text) {
     const Row row = between.next("a section");
     const std::string_view line = row.rest();
     if (line.front() != '$' || line.substr(0, 4) == "$End")
-      row.fail("expected the name of a section, $Nodes or the like, found '" +
-               std::string(line.substr(0, 40)) + "'");
+      row.fail("expected the name of a section, $Nodes or the like, found '" + printable(line, 40) +
+               "'");
     const std::string name(line.substr(1));
     const char* begin = line_end(line.data(), text.end());
     const char* end = next_dollar_line(text, begin);
     while (end != text.end() && line_at(end, text.end()) != "$End" + name)
       end = next_dollar_line(text, end + 1);
     if (end == text.end())
-      row.fail("the section $" + name.substr(0, 40) + " is not closed by $End" +
-               name.substr(0, 40) + "; the file may be truncated");
+      row.fail("the section $" + printable(name, 40) + " is not closed by $End" +
+               printable(name, 40) + "; the file may be truncated");
     sections.push_back({name, line.data(), begin, end});
     between = RowReader(text, line_end(end, text.end()), text.end());
   }

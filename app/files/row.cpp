@@ -1,15 +1,16 @@
 #include "files/row.hpp"
 
 namespace cleave::app {
+namespace {
 
-std::string Row::quoted(std::string_view field) {
-  constexpr std::size_t kLongest = 40;
-  std::string shown;
-  for (const char c : field.substr(0, kLongest)) {
-    const bool printable = static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
-    shown += printable ? c : '?';
-  }
-  return field.size() > kLongest ? shown + "..." : shown;
+constexpr std::size_t kShown = 40;  // bytes of a field that a message quotes
+
+}  // namespace
+
+void Row::finish(const char* what) const {
+  if (!at_end())
+    fail("the line of " + std::string(what) + " goes on with '" + printable(peek(), kShown) +
+         "'; nothing may follow");
 }
 
 void Row::fail_field(const char* what, bool integer, bool with_sign, int bits) const {
@@ -20,7 +21,7 @@ void Row::fail_field(const char* what, bool integer, bool with_sign, int bits) c
   if (integer)
     kind = std::string(with_sign ? "an integer" : "a non-negative integer") + " of at most " +
            std::to_string(bits) + " bits";
-  fail(wanted + " (" + kind + "), found '" + quoted(field) + "'");
+  fail(wanted + " (" + kind + "), found '" + printable(field, kShown) + "'");
 }
 
 std::size_t RowReader::count(Row& row, const char* what) const {

@@ -47,11 +47,7 @@ class Row {
   }
 
   /// Requires the line to end here; `what` names what it holds.
-  void finish(const char* what) const {
-    if (!at_end())
-      fail("the line of " + std::string(what) + " goes on with '" + quoted(peek()) +
-           "'; nothing may follow");
-  }
+  void finish(const char* what) const;
 
   [[noreturn]] void fail(const std::string& message) const { text_->fail(begin_, message); }
 
@@ -65,7 +61,6 @@ class Row {
     while (stop != end_ && !is_blank(*stop)) ++stop;
     return {at_, static_cast<std::size_t>(stop - at_)};
   }
-  static std::string quoted(std::string_view field);
 
   template <class Number>
   [[noreturn]] void fail_number(const char* what) const {

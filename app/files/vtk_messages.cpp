@@ -1,15 +1,18 @@
 #include "files/vtk_messages.hpp"
 
-#include <algorithm>
+#include <string_view>
+#include <vector>
 
+#include <vtkLogger.h>
 #include <vtkObjectFactory.h>
+
+#include "files/input_text.hpp"
 
 namespace cleave::app {
 
 class VtkMessages::Window : public vtkOutputWindow {
  public:
   static Window* New() { VTK_STANDARD_NEW_BODY(Window); }
-  vtkTypeMacro(Window, vtkOutputWindow)
 
   void DisplayText(const char* text) override { messages.emplace_back(text); }
   void DisplayErrorText(const char* text) override { DisplayText(text); }
@@ -23,18 +26,20 @@ namespace {
 
 /// VTK writes "ERROR: In FILE, line N\nCLASS (ADDRESS): MESSAGE\n\n".
 std::string without_place(const std::string& message) {
-  const auto address = message.find("): ");
-  std::string text = address == std::string::npos ? message : message.substr(address + 3);
-  while (!text.empty() && (text.back() == '\n' || text.back() == '.' || text.back() == ' '))
+  const auto line = message.find('\n');
+  std::string text = message.find(": In ") < line ? message.substr(line + 1) : message;
+  const auto address = text.find(" (0x");
+  if (address != std::string::npos) text.erase(0, text.find("): ", address) + 3);
+  while (!text.empty() && std::string_view("\n .!").find(text.back()) != std::string_view::npos)
     text.pop_back();
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
+  return printable(text);
 }
 
 }  // namespace
 
 VtkMessages::VtkMessages()
     : before_(vtkOutputWindow::GetInstance()), window_(vtkSmartPointer<Window>::New()) {
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);  // it prints beside the window
   vtkOutputWindow::SetInstance(window_);
 }
 
@@ -42,15 +47,8 @@ VtkMessages::~VtkMessages() { vtkOutputWindow::SetInstance(before_); }
 
 bool VtkMessages::any() const { return !window_->messages.empty(); }
 
-std::string VtkMessages::text() const {
-  std::vector<std::string> said;
-  for (const std::string& message : window_->messages) {
-    const std::string text = without_place(message);
-    if (std::find(said.begin(), said.end(), text) == said.end()) said.push_back(text);
-  }
-  std::string all;
-  for (const std::string& text : said) all += (all.empty() ? "" : "; ") + text;
-  return all;
+std::string VtkMessages::first() const {
+  return any() ? without_place(window_->messages.front()) : "no reason";
 }
 
 }  // namespace cleave::app

@@ -1,6 +1,5 @@
 #pragma once
 #include <string>
-#include <vector>
 
 #include <vtkNew.h>
 #include <vtkOutputWindow.h>
@@ -8,7 +7,8 @@
 
 namespace cleave::app {
 
-/// While it lives, VTK's errors and warnings are collected here instead of being printed.
+/// While it lives, VTK's errors and warnings are collected here; they are never printed, nor are
+/// later ones.
 class VtkMessages {
  public:
   VtkMessages();
@@ -17,8 +17,8 @@ class VtkMessages {
   VtkMessages& operator=(const VtkMessages&) = delete;
 
   bool any() const;
-  /// What VTK said, each message once, without its source places and addresses.
-  std::string text() const;
+  /// What VTK said first (the rest follows from it), without its source place and address.
+  std::string first() const;
 
  private:
   class Window;

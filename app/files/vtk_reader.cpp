@@ -55,7 +55,7 @@ vtkSmartPointer<vtkUnstructuredGrid> read_grid(const std::filesystem::path& path
     fail(path, "the file asks for more memory than there is; its counts may be wrong");
   }
   if (messages.any())
-    fail(path, "not a complete VTK unstructured grid; VTK says: " + messages.text());
+    fail(path, "not a complete VTK unstructured grid; VTK says: " + messages.first());
   if (grid == nullptr) fail(path, "VTK reads no unstructured grid from it");
   return grid;
 }

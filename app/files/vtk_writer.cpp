@@ -165,7 +165,7 @@ std::string write_vtk(const Mesh& mesh, VtkFormat format, GroupIntegers& integer
   add_cell_data(*grid, mesh, order, integers);
   std::string bytes = format == VtkFormat::kXml ? xml_bytes(*grid) : legacy_bytes(*grid);
   if (messages.any() || bytes.empty())
-    throw OutputError("VTK cannot write the mesh: " + messages.text());
+    throw OutputError("VTK cannot write the mesh: " + messages.first());
   return bytes;
 }
 
