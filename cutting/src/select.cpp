@@ -94,6 +94,11 @@ unsigned add_nearest(const SweptSimplex<D>& simplex, const topology::Cell<D>& ce
   return nearest;
 }
 
+unsigned set_of(const ClosestSets& sets, CellId cell) {
+  const auto found = sets.find(cell);
+  return found == sets.end() ? 0 : found->second;
+}
+
 template <int D>
 void require_points(const Complex<D>& k, const std::vector<Point<D>>& points) {
   if (points.size() != k.vertex_count())
@@ -179,30 +184,61 @@ struct Selector<D>::Impl {
     return FacetSet::of_lesser(odd_ones(std::move(crossed)));
   }
 
-  FacetSet by_nearest_vertex(std::span<const SweptSimplex<D>> step) const {
-    std::vector<std::pair<std::uint32_t, unsigned>> sets;  // cell, some vertices of its set
+  /// The cells that `step` puts vertices into the sets of, and those sets then.
+  std::vector<std::pair<CellId, unsigned>> grown_sets(std::span<const SweptSimplex<D>> step,
+                                                      const ClosestSets& sets) const {
+    ClosestSets grown;
     for (const SweptSimplex<D>& simplex : step)
       tree.visit_near(simplex, [&](std::uint32_t cell) {
-        if (const unsigned set = nearest(simplex, CellId{cell})) sets.emplace_back(cell, set);
+        if (const unsigned put_in = nearest(simplex, CellId{cell})) grown[CellId{cell}] |= put_in;
       });
-    std::sort(sets.begin(), sets.end());
-    std::vector<HalfFacetId> chosen;
-    for (std::size_t i = 0; i < sets.size();) {
-      const CellId cell{sets[i].first};
-      unsigned set = 0;
-      for (; i < sets.size() && sets[i].first == cell.value; ++i) set |= sets[i].second;
-      if (std::popcount(set) != D) continue;
-      const HalfFacetId h = topology::half_facet<D>(cell, std::countr_one(set));
-      if (const std::optional<HalfFacetId> mate = k->mate(h)) chosen.push_back(std::min(h, *mate));
-    }
-    return FacetSet::of_lesser(std::move(chosen));
+    std::vector<std::pair<CellId, unsigned>> result;
+    for (const auto& [cell, put_in] : grown)
+      if (const unsigned before = set_of(sets, cell); (before | put_in) != before)
+        result.emplace_back(cell, before | put_in);
+    return result;
   }
 
-  FacetSet select(std::span<const Simplex> simplices) const {
+  /// Appends the interior facet that `set` chooses in `cell`, if it chooses one.
+  void add_choice(CellId cell, unsigned set, std::vector<HalfFacetId>& facets) const {
+    if (std::popcount(set) != D) return;
+    const HalfFacetId h = topology::half_facet<D>(cell, std::countr_one(set));
+    if (const std::optional<HalfFacetId> mate = k->mate(h)) facets.push_back(std::min(h, *mate));
+  }
+
+  /// Whether one of its two cells chooses the interior facet `h`.
+  bool is_chosen(HalfFacetId h, const ClosestSets& sets) const {
+    const auto chooses = [&](HalfFacetId side) {
+      constexpr unsigned kAll = (1u << (D + 1)) - 1;
+      return set_of(sets, topology::cell_of<D>(side)) ==
+             (kAll & ~(1u << topology::local_index<D>(side)));
+    };
+    return chooses(h) || chooses(*k->mate(h));
+  }
+
+  FacetSet by_nearest_vertex(std::span<const SweptSimplex<D>> step, ClosestSets& sets) const {
+    const std::vector<std::pair<CellId, unsigned>> grown = grown_sets(step, sets);
+    std::vector<HalfFacetId> affected;
+    for (const auto& [cell, set] : grown) {
+      add_choice(cell, set_of(sets, cell), affected);
+      add_choice(cell, set, affected);
+    }
+    std::sort(affected.begin(), affected.end());
+    affected.erase(std::unique(affected.begin(), affected.end()), affected.end());
+    std::vector<bool> was_chosen;
+    for (const HalfFacetId h : affected) was_chosen.push_back(is_chosen(h, sets));
+    for (const auto& [cell, set] : grown) sets[cell] = set;
+    std::vector<HalfFacetId> toggled;
+    for (std::size_t i = 0; i < affected.size(); ++i)
+      if (is_chosen(affected[i], sets) != was_chosen[i]) toggled.push_back(affected[i]);
+    return FacetSet::of_lesser(std::move(toggled));
+  }
+
+  FacetSet toggle(std::span<const Simplex> simplices, ClosestSets& sets) const {
     std::vector<SweptSimplex<D>> step;
     for (const Simplex& corners : simplices)
       if (const SweptSimplex<D> simplex(corners); !simplex.is_flat()) step.push_back(simplex);
-    return options.rule == Rule::dual_edge ? by_dual_edge(step) : by_nearest_vertex(step);
+    return options.rule == Rule::dual_edge ? by_dual_edge(step) : by_nearest_vertex(step, sets);
   }
 };
 
@@ -227,15 +263,21 @@ Selector<D>& Selector<D>::operator=(Selector&&) noexcept = default;
 
 template <int D>
 FacetSet Selector<D>::select(std::span<const Simplex> simplices) const {
-  detail::require_finite<D>(simplices, 0);
-  return impl_->select(simplices);
+  ClosestSets sets;
+  return toggle(simplices, sets);
+}
+
+template <int D>
+FacetSet Selector<D>::toggle(std::span<const Simplex> simplices, ClosestSets& sets) const {
+  detail::require_finite<D>(simplices);
+  return impl_->toggle(simplices, sets);
 }
 
 template <int D>
 FacetSet Selector<D>::select_step(const Sweep<D>& sweep, std::size_t step) const {
   require_valid(sweep);
   const auto [first, last] = sweep.step(step);
-  return impl_->select(std::span(sweep.simplices).subspan(first, last - first));
+  return select(std::span(sweep.simplices).subspan(first, last - first));
 }
 
 template Point<2> dual_point(const Complex<2>&, const std::vector<Point<2>>&, CellId);

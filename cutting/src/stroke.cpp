@@ -16,14 +16,15 @@ StrokeResult cut_along(topology::Incision<D>& incision, std::vector<Point<D>>& p
   const Selector<D> selector(incision, points, options);
   const FacetSet left_by_others = incision.shut();
   StrokeResult result;
+  ClosestSets sets;
   FacetSet pending, opened;  // scored by this stroke: shut still, and not
   for (std::size_t first = 0, last = 0; first < sweep.simplices.size(); first = last) {
     last = sweep.step(sweep.step_of[first]).second;
-    const FacetSet chosen =
-        selector.select(std::span(sweep.simplices).subspan(first, last - first));
-    if (chosen.empty()) continue;
-    incision.forget_shut((pending & chosen) - left_by_others);
-    const FacetSet scored = pending ^ chosen;
+    const FacetSet toggled =
+        selector.toggle(std::span(sweep.simplices).subspan(first, last - first), sets);
+    if (toggled.empty()) continue;
+    incision.forget_shut((pending & toggled) - left_by_others);
+    const FacetSet scored = pending ^ toggled;
     result.changes.push_back(incision.cut(scored, verify));
     topology::carry_over(points, result.changes.back());
     pending = scored & incision.shut();

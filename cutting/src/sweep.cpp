@@ -26,7 +26,7 @@ void require_valid(const Sweep<D>& sweep) {
     throw std::invalid_argument("sweep: simplex " + std::to_string(drop - sweep.step_of.begin()) +
                                 " belongs to an earlier step than the one before it; order the "
                                 "simplices by step");
-  detail::require_finite<D>(sweep.simplices, 0);
+  detail::require_finite<D>(sweep.simplices);
 }
 
 Sweep<3> sweep_of_blade(std::span<const std::array<Point<3>, 2>> positions) {

@@ -129,7 +129,7 @@ Body<D> thinned(const Body<D>& body, double share, Rng& rng) {
 template <int D>
 Body<D> any_small(Rng& rng) {
   Nodes<D> nodes;
-  for (int& n : nodes) n = rng.between(2, D == 2 ? 5 : 3);
+  for (int& n : nodes) n = rng.between(2, D == 2 ? 7 : 4);
   const double spacing = std::array{1.0, 0.1, 0.3}[rng.below(3)];
   Body<D> body = rng.chance(0.5) ? kuhn<D>(nodes, spacing) : jittered<D>(nodes, spacing, 0.2, rng);
   return rng.chance(0.3) ? thinned(body, 0.2, rng) : body;
@@ -213,6 +213,19 @@ Sweep<3> any_path<3>(const Body<3>& body, Rng& rng) {
 }
 
 template <int D>
+Sweep<D> short_path(const Body<D>& body, Rng& rng) {
+  Point<D> middle;
+  for (std::size_t i = 0; i < middle.size(); ++i) middle[i] = any_coordinate(body, i, rng);
+  Sweep<D> sweep = any_path(body, rng);
+  const double reach = std::max({extent(body, 0), extent(body, 1), extent(body, D - 1)});
+  for (auto& simplex : sweep.simplices)
+    for (Point<D>& p : simplex)
+      for (std::size_t i = 0; i < p.size(); ++i)
+        p[i] = middle[i] + (p[i] - 0.5 * extent(body, i)) * body.spacing / reach;
+  return sweep;
+}
+
+template <int D>
 Sweep<D> scattered(const Body<D>& body, Rng& rng) {
   Sweep<D> sweep;
   for (std::uint32_t n = 0; n < 4; ++n) {
@@ -226,13 +239,15 @@ Sweep<D> scattered(const Body<D>& body, Rng& rng) {
 
 template <int D>
 Sweep<D> any_sweep(const Body<D>& body, Rng& rng) {
-  switch (rng.below(4)) {
+  switch (rng.below(5)) {
     case 0:
       return full_crossing(body, rng);
     case 1:
       return any_path(body, rng);
     case 2:
       return scattered(body, rng);
+    case 3:
+      return short_path(body, rng);
     default:
       break;
   }
@@ -265,6 +280,8 @@ template Body<2> any_small(Rng&);
 template Body<3> any_small(Rng&);
 template std::vector<Point<2>> duals(const Body<2>&);
 template std::vector<Point<3>> duals(const Body<3>&);
+template Sweep<2> short_path(const Body<2>&, Rng&);
+template Sweep<3> short_path(const Body<3>&, Rng&);
 template Sweep<2> scattered(const Body<2>&, Rng&);
 template Sweep<3> scattered(const Body<3>&, Rng&);
 template Sweep<2> any_sweep(const Body<2>&, Rng&);

@@ -55,6 +55,10 @@ Sweep<D> full_crossing(const Body<D>& body, Rng& rng);
 template <int D>
 Sweep<D> any_path(const Body<D>& body, Rng& rng);
 
+/// As any_path, by a blade about as short as an edge, that stays near one place.
+template <int D>
+Sweep<D> short_path(const Body<D>& body, Rng& rng);
+
 /// Simplices that have nothing to do with each other, with corners on the grid, on vertices, on
 /// dual points, or anywhere; some are flat.
 template <int D>

@@ -14,16 +14,17 @@ using topology::Cell;
 using topology::HalfFacetId;
 using topology::VertexId;
 using Q = mp::number<mp::cpp_rational_backend, mp::et_off>;
+using Z = mp::number<mp::cpp_int_backend<>, mp::et_off>;
 
 /// A polynomial in e > 0, smaller than any number: terms[i] belongs to e^i.
 struct Series {
-  std::vector<Q> terms;
+  std::vector<Z> terms;
 
   Series() = default;
-  explicit Series(Q constant) : terms{std::move(constant)} {}
+  explicit Series(Z constant) : terms{std::move(constant)} {}
 
   int sign() const {
-    for (const Q& term : terms)
+    for (const Z& term : terms)
       if (term != 0) return term.sign();
     return 0;
   }
@@ -54,23 +55,42 @@ Series operator*(const Series& a, const Series& b) {
 template <int D>
 using Place = std::array<Series, static_cast<std::size_t>(D)>;
 
-template <int D>
-Place<D> at(const Point<D>& p) {
-  Place<D> place;
-  for (std::size_t i = 0; i < p.size(); ++i) place[i] = Series(Q(p[i]));
-  return place;
+/// The points as fractions, times their common denominator. No sign depends on that factor.
+template <int D, std::size_t N>
+std::array<Place<D>, N> integers(const std::array<Point<D>, N>& points) {
+  Z common = 1;
+  for (const Point<D>& p : points)
+    for (const double x : p) common = mp::lcm(common, Z(mp::denominator(Q(x))));
+  std::array<Place<D>, N> places;
+  for (std::size_t n = 0; n < N; ++n)
+    for (std::size_t i = 0; i < points[n].size(); ++i)
+      places[n][i] = Series(Z(mp::numerator(Q(points[n][i]) * Q(common))));
+  return places;
 }
 
-/// p + (e, e^2, ..)
-template <int D>
-Place<D> translated(const Point<D>& p) {
-  Place<D> place = at<D>(p);
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    place[i].terms.resize(i + 2);
-    place[i].terms[i + 1] = 1;
+/// The corners of a simplex and some more points, as integers.
+template <int D, std::size_t N>
+struct Setting {
+  std::array<Place<D>, static_cast<std::size_t>(D)> simplex;
+  std::array<Place<D>, N> points;
+
+  Setting(const Simplex<D>& corners, const std::array<Point<D>, N>& others) {
+    std::array<Point<D>, static_cast<std::size_t>(D) + N> all;
+    std::copy(others.begin(), others.end(), std::copy(corners.begin(), corners.end(), all.begin()));
+    const auto places = integers<D>(all);
+    std::copy_n(places.begin(), D, simplex.begin());
+    std::copy_n(places.begin() + D, N, points.begin());
   }
-  return place;
-}
+
+  /// Moves the simplex by (e, e^2, ..).
+  void translate() {
+    for (Place<D>& place : simplex)
+      for (std::size_t i = 0; i < place.size(); ++i) {
+        place[i].terms.resize(i + 2);
+        place[i].terms[i + 1] = 1;
+      }
+  }
+};
 
 template <std::size_t N>
 std::array<Series, N> operator-(const std::array<Series, N>& a, const std::array<Series, N>& b) {
@@ -98,13 +118,6 @@ Series height(const std::array<Place<2>, 2>& s, const Place<2>& p) {
 
 Series height(const std::array<Place<3>, 3>& s, const Place<3>& p) {
   return determinant(std::array<Place<3>, 3>{s[1] - s[0], s[2] - s[0], p - s[0]});
-}
-
-template <int D, class Put>
-auto placed(const Simplex<D>& simplex, Put put) {
-  std::array<Place<D>, static_cast<std::size_t>(D)> places;
-  for (std::size_t i = 0; i < simplex.size(); ++i) places[i] = put(simplex[i]);
-  return places;
 }
 
 /// Leaves out coordinate `axis`.
@@ -150,42 +163,48 @@ template <int D>
 int orient(const std::array<Point<D>, static_cast<std::size_t>(D) + 1>& corners) {
   Simplex<D> simplex;
   std::copy_n(corners.begin(), D, simplex.begin());
-  return height(placed<D>(simplex, at<D>), at<D>(corners.back())).sign();
+  const Setting<D, 1> setting(simplex, {corners.back()});
+  return height(setting.simplex, setting.points[0]).sign();
 }
 
 template <int D>
 bool is_flat(const Simplex<D>& simplex) {
   // The plane of a flat simplex is everywhere: no unit step leaves it.
+  const Setting<D, 1> setting(simplex, {simplex[0]});
   for (std::size_t i = 0; i < simplex[0].size(); ++i) {
-    Place<D> p = at<D>(simplex[0]);
-    p[i] = p[i] + Series(Q(1));
-    if (height(placed<D>(simplex, at<D>), p).sign() != 0) return false;
+    Place<D> p = setting.points[0];
+    p[i] = p[i] + Series(Z(1));
+    if (height(setting.simplex, p).sign() != 0) return false;
   }
   return true;
 }
 
 template <int D>
 int side(const Simplex<D>& simplex, const Point<D>& p) {
-  return height(placed<D>(simplex, translated<D>), at<D>(p)).sign();
+  Setting<D, 1> setting(simplex, {p});
+  setting.translate();
+  return height(setting.simplex, setting.points[0]).sign();
 }
 
 template <int D>
 bool crosses(const Simplex<D>& simplex, const Point<D>& p, const Point<D>& q) {
-  const auto places = placed<D>(simplex, translated<D>);
-  const Place<D> from = at<D>(p), to = at<D>(q);
-  const Series a = height(places, from), b = height(places, to);
+  Setting<D, 2> setting(simplex, {p, q});
+  setting.translate();
+  const auto& [from, to] = setting.points;
+  const Series a = height(setting.simplex, from), b = height(setting.simplex, to);
   if (a.sign() == b.sign()) return false;
   // The line meets the plane in (a to - b from) / (a - b); both are negated if a < b.
-  const Series sign(Q(a.sign()));
+  const Series sign(Z(a.sign()));
   Place<D> x;
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = sign * (a * to[i] - b * from[i]);
-  return holds(places, x, sign * (a - b));
+  return holds(setting.simplex, x, sign * (a - b));
 }
 
 template <int D>
 int compare_heights(const Simplex<D>& simplex, const Point<D>& p, const Point<D>& q) {
-  const auto places = placed<D>(simplex, at<D>);
-  Series a = height(places, at<D>(p)), b = height(places, at<D>(q));
+  const Setting<D, 2> setting(simplex, {p, q});
+  Series a = height(setting.simplex, setting.points[0]);
+  Series b = height(setting.simplex, setting.points[1]);
   if (a.sign() < 0) a = Series() - a;
   if (b.sign() < 0) b = Series() - b;
   return (a - b).sign();

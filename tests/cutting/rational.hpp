@@ -6,9 +6,10 @@
 #include "cleave/cutting/select.hpp"
 #include "cleave/topology/ids.hpp"
 
-/// What cutting decides, decided again by rational numbers, and by series in e where the sweep is
-/// translated by (e, e^2, e^3). Slow and straight from the definitions: no filter, no search, and
-/// crossings by intersection points where the library compares signs of determinants.
+/// What cutting decides, decided again by rational numbers (made integers by a common denominator),
+/// and by series in e where the sweep is translated by (e, e^2, e^3). Slow and straight from the
+/// definitions: no filter, no search, and crossings by intersection points where the library
+/// compares signs of determinants.
 namespace cleave::cutting::rational {
 
 template <int D>

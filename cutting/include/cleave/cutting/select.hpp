@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "cleave/cutting/sweep.hpp"
@@ -18,8 +19,8 @@ namespace cleave::cutting {
 /// away from has an even number of chosen facets, and a step with its rim outside the body chooses
 /// exactly the facets between two sets of cells.
 /// nearest_vertex: Nienhuys & van der Stappen 2000, section 3: where an edge of a cell crosses the
-/// step, the end closest to the crossing is put into the cell's set; a cell whose set has exactly D
-/// vertices chooses the facet they span.
+/// sweep, the end closest to the crossing is put into the cell's set, which grows from step to
+/// step; a cell whose set has exactly D vertices chooses the facet they span.
 enum class Rule { dual_edge, nearest_vertex };
 
 /// nearest_vertex only: which end of an edge is put into the set when both are equally close: the
@@ -45,6 +46,10 @@ std::array<bool, static_cast<std::size_t>(D) + 1> nearest_vertices(
     const topology::Cell<D>& cell,
     const std::array<Point<D>, static_cast<std::size_t>(D) + 1>& places,
     std::span<const std::array<Point<D>, static_cast<std::size_t>(D)>> simplices, Ties ties);
+
+/// The sets of a stroke so far (nearest_vertex): for each cell whose set is not empty, which of its
+/// local vertices are in it, as bits.
+using ClosestSets = std::unordered_map<topology::CellId, unsigned>;
 
 /// Answers, for one complex in rest coordinates, which interior facets a step of a sweep chooses.
 /// Holds references to `k` and `points` and reads them anew each time, so it follows cuts of `k`
@@ -80,7 +85,13 @@ class Selector {
   /// through.
   topology::FacetSet select(std::span<const Simplex> simplices) const;
 
-  /// The same for step `step` of `sweep`; steps from step_count() on are empty. Throws
+  /// As `select`, of one step of a stroke after others: the facets whose choice it changes.
+  /// dual_edge: those that the step alone chooses. nearest_vertex: `sets`, empty before the first
+  /// step, grow by what the step puts into them, and the result are the facets that now are chosen
+  /// and were not, or were and are no longer.
+  topology::FacetSet toggle(std::span<const Simplex> simplices, ClosestSets& sets) const;
+
+  /// What step `step` of `sweep` alone chooses; steps from step_count() on are empty. Throws
   /// std::invalid_argument for a sweep that require_valid refuses, which is checked in linear time:
   /// who walks through many steps calls require_valid once, and `select`.
   topology::FacetSet select_step(const Sweep<D>& sweep, std::size_t step) const;

@@ -8,8 +8,8 @@ namespace cleave::cutting {
 
 /// What a stroke did. Facets are named by the lesser half-facet of the complex as it was before.
 struct StrokeResult {
-  /// One per step that chose a facet, in order. Their `shut` lists all facets of the incision that
-  /// are shut, those of earlier strokes among them.
+  /// One per step that changed the choice of a facet, in order. Their `shut` lists all facets of
+  /// the incision that are shut, those of earlier strokes among them.
   std::vector<topology::Relabelling> changes;
 
   /// The facets that the stroke scored and did not take back, opened and shut; also those among
@@ -17,14 +17,16 @@ struct StrokeResult {
   topology::FacetSet scored;
 };
 
-/// Cuts along `sweep`, step by step, opening each step's facets at once: a facet that this stroke
-/// scored and that is shut toggles with each later step that chooses it, an opened one is frozen,
-/// so a blade drawn back along its path leaves the cut it made and adds nothing. Nothing is carried
-/// from one stroke to the next; facets that other strokes left shut stay scored.
+/// Cuts along `sweep`, step by step, opening at once what can be opened. What is open is frozen; a
+/// facet that this stroke scored and that is shut is taken back when a later step no longer chooses
+/// it (dual_edge: chooses it again, so that crossings count in pairs). So a blade that met no facet
+/// twice and is drawn back along its path leaves the cut it made and adds nothing. Nothing is
+/// carried from one stroke to the next; facets that other strokes left shut stay scored.
+///
 /// `points` has one entry per vertex of the incision's complex, in rest coordinates, and is
 /// extended for copies. Throws std::invalid_argument for bad points or a bad sweep, as Selector and
 /// require_valid do, and then nothing has changed; else as Incision::cut, and then the steps before
-/// are done. Time: that of a Selector, plus per step that of `select` and of the cut.
+/// are done. Time: that of a Selector, plus per step that of `toggle` and of the cut.
 template <int D>
 StrokeResult cut_along(topology::Incision<D>& incision, std::vector<Point<D>>& points,
                        const Sweep<D>& sweep, SelectOptions options = {},
