@@ -82,8 +82,9 @@ std::vector<HalfFacetId> list(std::span<const topology::OpenedFacet> opened) {
 
 template <int D>
 Sweep<D> any_stroke(const Body<D>& body, Rng& rng) {
-  const Sweep<D> sweep =
-      rng.chance(0.3) ? bodies::full_crossing(body, rng) : bodies::any_sweep(body, rng);
+  const Sweep<D> sweep = rng.chance(0.3)   ? bodies::full_crossing(body, rng)
+                         : rng.chance(0.4) ? bodies::short_path(body, rng)
+                                           : bodies::any_sweep(body, rng);
   return rng.chance(0.3) ? bodies::there_and_back(sweep) : sweep;
 }
 
