@@ -57,7 +57,7 @@ constexpr std::array<Planes, 7> kFamilies{{{"faces: x = i", {1, 0, 0}, 1, 5},
                                            {"middles: x + y + z = i + 1/2", {1, 1, 1}, 1.5, 15.5}}};
 
 struct Expected {
-  Count dual_edge, by_id;
+  Count dual_edge, by_id, both;
 };
 
 /// Counts and prints a row per family. The table of docs/selection.md.
