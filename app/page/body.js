@@ -47,6 +47,7 @@ void main() {
   vec3 base = colouring == 1 ? texture2D(map, vec2(clamp(vMagnitude, 0.0, 1.0), 0.5)).rgb
             : colouring == 2 ? vTint : plain;
   if (kind == 1) base = mix(base, vec3(dot(base, vec3(0.3, 0.59, 0.11))), 0.25) * 1.12;
+  base *= mix(0.6, 1.0, step(1.0, opacity));  // see-through: a stained glass
   if (kind >= 2) base = mix(base, kind == 2 ? opened : shut, 0.82 * incision);
 
   vec3 width = fwidth(vEdge), pixels = vEdge / width;
@@ -54,12 +55,16 @@ void main() {
   float fine = smoothstep(0.12, 0.4, max(width.x, max(width.y, width.z)));  // no room for lines
   base *= 1.0 - edges * 0.55 * (1.0 - fine) * (1.0 - smoothstep(0.3, 1.3, nearest));
   vec3 colour = lit(base, n);
+  float facing = abs(dot(n, normalize(vPosition)));
+  float alpha = mix(opacity, 1.0, opacity < 1.0 ? 0.7 * pow(1.0 - facing, 1.5) : 0.0);
   for (int i = 0; i < 3; ++i) {
     int of = (rim >> (2 * i)) & 3;
     if (of == 0) continue;
-    colour = mix(colour, of == 2 ? opened : shut, incision * (1.0 - smoothstep(1.6, 2.6, pixels[i])));
+    float line = incision * (1.0 - smoothstep(1.6, 2.6, pixels[i]));
+    colour = mix(colour, of == 2 ? opened : shut, line);
+    alpha = max(alpha, line);
   }
-  gl_FragColor = vec4(colour, opacity);
+  gl_FragColor = vec4(colour, alpha);
   #include <colorspace_fragment>
 }`;
 

@@ -7,23 +7,34 @@
 //   edges, incision, seeThrough, findings[], playing
 import {largestDisplacement, readData} from "cleave/data.js";
 import {readFragment} from "cleave/fragment.js";
+import {readMesh} from "cleave/mesh.js";
 import {Panel} from "cleave/panel.js";
 import {Stage} from "cleave/stage.js";
 
 const root = document.documentElement;
 const data = readData(document.getElementById("page-data").textContent);
-const stage = new Stage(data);
+const mesh = readMesh(data.cells, data.points);
+const radius = 0.5 * Math.hypot(...mesh.high.map((x, axis) => x - mesh.low[axis])) || 1;
+const stage = makeStage();
 const last = data.states.length - 1;
 const range = Math.max(...data.states.map(largestDisplacement));
 
+// None without WebGL 2: then the page says so, and has the plot and the tables still.
+function makeStage() {
+  const context = document.createElement("canvas").getContext("webgl2");
+  if (!context) return null;
+  context.getExtension("WEBGL_lose_context")?.loseContext();
+  return new Stage(data, mesh, radius);
+}
+
 // 1 unless displacements are too small to see: then a round factor that makes them visible.
 function niceScale() {
-  if (range === 0 || range > 0.01 * stage.radius) return 1;
-  const wanted = 0.1 * stage.radius / range, power = 10 ** Math.floor(Math.log10(wanted));
+  if (range === 0 || range > 0.01 * radius) return 1;
+  const wanted = 0.1 * radius / range, power = 10 ** Math.floor(Math.log10(wanted));
   return power * [5, 2, 1].find((m) => m * power <= wanted);
 }
 
-const limits = {last, range, scale: niceScale(), low: stage.mesh.low, high: stage.mesh.high};
+const limits = {last, range, scale: niceScale(), low: mesh.low, high: mesh.high};
 const uncut = data.states.findLastIndex?.((state) => state.opened.length === 0) ?? 0;
 const start = {
   position: last, before: Math.max(0, uncut), compare: false,
@@ -39,7 +50,7 @@ function update(patch) {
   if ("position" in change && !("playing" in change)) change.playing = false;
   if ("axis" in change && change.axis === view.axis) change.axis = "off";
   view = {...view, ...change};
-  stage.show(view);
+  stage?.show(view);
   panel.show(view);
 }
 
@@ -67,7 +78,7 @@ function play() {
 }
 
 function reset() {
-  stage.look();
+  stage?.look();
   update({...start, position: view.position, playing: false});
 }
 
@@ -112,17 +123,23 @@ addEventListener("keyup", (event) => {
 });
 addEventListener("hashchange", () => {
   view = readFragment(location.hash, start, limits);
-  if (view.camera) stage.look(view.camera);
+  if (view.camera) stage?.look(view.camera);
   update({});
 });
 
 // What was drawn, for tests and for whoever takes pictures.
-stage.onDrawn = () => {
-  Object.assign(root.dataset, stage.after.counts, {position: view.position, cells: stage.mesh.cellCount});
+function reportDrawn() {
+  Object.assign(root.dataset, stage.after.counts, {position: view.position, cells: mesh.cellCount});
+  if (root.dataset.state) return;
   if (stage.renderer.getContext().getError()) throw new Error("WebGL reports an error");
-  if (root.dataset.state !== "error") root.dataset.state = "ready";
-};
+  root.dataset.state = "ready";
+}
 
-document.getElementById("no-view").remove();
+if (stage) {
+  stage.onDrawn = reportDrawn;
+  document.getElementById("no-view").remove();
+} else {
+  root.dataset.state = "no-webgl";
+}
 update({});
-stage.look(view.camera);
+stage?.look(view.camera);

@@ -47,17 +47,17 @@ export function readMesh(cells, points) {
   const negative = new Uint8Array(count), centroids = new Float32Array(3 * count);
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   for (let c = 0; c < count; ++c) {
-    const [o, p, q, r] = [3 * cells[4 * c], 3 * cells[4 * c + 1], 3 * cells[4 * c + 2], 3 * cells[4 * c + 3]];
+    const o = 3 * cells[4 * c], p = 3 * cells[4 * c + 1], q = 3 * cells[4 * c + 2], r = 3 * cells[4 * c + 3];
     const edge = (v, axis) => points[v + axis] - points[o + axis];
     const volume = edge(p, 0) * (edge(q, 1) * edge(r, 2) - edge(q, 2) * edge(r, 1)) -
         edge(p, 1) * (edge(q, 0) * edge(r, 2) - edge(q, 2) * edge(r, 0)) +
         edge(p, 2) * (edge(q, 0) * edge(r, 1) - edge(q, 1) * edge(r, 0));
     negative[c] = volume < 0 ? 1 : 0;
     for (let axis = 0; axis < 3; ++axis) {
-      const x = [points[o + axis], points[p + axis], points[q + axis], points[r + axis]];
-      centroids[3 * c + axis] = 0.25 * (x[0] + x[1] + x[2] + x[3]);
-      low[axis] = Math.min(low[axis], ...x);
-      high[axis] = Math.max(high[axis], ...x);
+      const s = points[o + axis], t = points[p + axis], u = points[q + axis], v = points[r + axis];
+      centroids[3 * c + axis] = 0.25 * (s + t + u + v);
+      low[axis] = Math.min(low[axis], s, t, u, v);
+      high[axis] = Math.max(high[axis], s, t, u, v);
     }
   }
   return {cells, points, mates: findMates(cells), negative, centroids, low, high, cellCount: count};

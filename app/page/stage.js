@@ -4,7 +4,7 @@ import {OrbitControls} from "three/OrbitControls.js";
 import {Body, COLOURINGS, cornerDisplacement, sharedUniforms} from "cleave/body.js";
 import {readable} from "cleave/data.js";
 import {Marks, MARK_COLOURS} from "cleave/marks.js";
-import {INSIDE, OPENED, SHUT, SKIN, cellsBeyond, facetCorners, incisionEdges, readMesh, scoredFacets, visibleFacets} from "cleave/mesh.js";
+import {INSIDE, OPENED, SHUT, SKIN, cellsBeyond, facetCorners, incisionEdges, scoredFacets, visibleFacets} from "cleave/mesh.js";
 
 const element = (id) => document.getElementById(id);
 const FIELD_OF_VIEW = 32;
@@ -73,9 +73,10 @@ function directionOfIncision(mesh, states) {
 }
 
 export class Stage {
-  constructor(data) {
+  constructor(data, mesh, radius) {
     this.data = data;
-    this.mesh = readMesh(data.cells, data.points);
+    this.mesh = mesh;
+    this.radius = radius;
     this.uniforms = sharedUniforms();
     this.after = new Scene(this.mesh, data, this.uniforms);
     this.before = null;
@@ -89,7 +90,6 @@ export class Stage {
     this.controls.dampingFactor = 0.12;
     this.controls.addEventListener("change", () => this.invalidate());
     this.controls.addEventListener("start", () => { this.framed = null; });
-    this.radius = 0.5 * Math.hypot(...this.mesh.high.map((x, axis) => x - this.mesh.low[axis])) || 1;
     this.home = directionOfIncision(this.mesh, data.states);
     new ResizeObserver(() => this.resize()).observe(element("view"));
     this.framed = {};
@@ -137,13 +137,25 @@ export class Stage {
     this.invalidate();
   }
 
+  skinCorners() {
+    if (this.skin) return this.skin;
+    const corners = [0, 0, 0];
+    this.skin = [];
+    for (let h = 0; h < this.mesh.mates.length; ++h) {
+      if (this.mesh.mates[h] >= 0) continue;
+      facetCorners(this.mesh, h, corners);
+      this.skin.push(...corners);
+    }
+    return this.skin;
+  }
+
   // The middle of what is seen from `direction`, and the distance from which all of it is in view.
   frameOf(direction, scale) {
     const beside = new THREE.Vector3().crossVectors(this.camera.up, direction).normalize();
     const above = new THREE.Vector3().crossVectors(direction, beside);
     const axes = [beside, above, direction], box = axes.map(() => [Infinity, -Infinity]);
     const state = this.data.states.at(-1), u = [0, 0, 0], place = new THREE.Vector3(), places = [];
-    for (let corner = 0; corner < this.mesh.cells.length; ++corner) {
+    for (const corner of this.skinCorners()) {
       cornerDisplacement(state, corner, u, 0);
       place.fromArray(this.mesh.points, 3 * this.mesh.cells[corner]);
       place.set(place.x + scale * u[0], place.y + scale * u[1], place.z + scale * u[2]);
