@@ -129,6 +129,42 @@ std::optional<Facets> junction(const Ground<D>& ground, std::size_t pages, bool 
   return std::nullopt;
 }
 
+/// The vertices that no boundary facet contains.
+template <int D>
+std::set<VertexId> inner_vertices(const Ground<D>& ground) {
+  std::set<VertexId> inner;
+  for (const Cell<D>& cell : ground.cells) inner.insert(cell.begin(), cell.end());
+  for (std::uint32_t h = 0; h < ground.mates.size(); ++h)
+    if (!ground.mates[h])
+      for (const VertexId v : sorted_facet<D>(ground.cells, {h})) inner.erase(v);
+  return inner;
+}
+
+template <int D>
+std::optional<Facets> isolated(const Ground<D>& ground, Rng& rng) {
+  const std::set<VertexId> inner = inner_vertices<D>(ground);
+  Facets left(ground.interior);
+  rng.shuffle(left);
+  const auto is_inner = [&](HalfFacetId h) {
+    const Facet<D> facet = sorted_facet<D>(ground.cells, h);
+    return std::all_of(facet.begin(), facet.end(), [&](VertexId v) { return inner.count(v) != 0; });
+  };
+  const auto others = std::stable_partition(left.begin(), left.end(), is_inner);
+  if (others == left.begin()) return std::nullopt;
+  std::set<VertexId> taken;
+  Facets result;
+  const std::size_t size = 1 + rng.below(6);
+  for (const HalfFacetId h : left) {
+    const Facet<D> facet = sorted_facet<D>(ground.cells, h);
+    if (result.size() == size) break;
+    if (std::any_of(facet.begin(), facet.end(), [&](VertexId v) { return taken.count(v) != 0; }))
+      continue;
+    taken.insert(facet.begin(), facet.end());
+    result.push_back(h);
+  }
+  return result;
+}
+
 /// A set of cells and the rest.
 template <int D>
 std::optional<Facets> sheet(const Ground<D>& ground, Rng& rng) {
@@ -227,6 +263,8 @@ std::optional<Facets> facets_of_class(const Ground<D>& ground, CutClass cut_clas
   switch (cut_class) {
     case CutClass::single:
       return Facets{rng.pick(ground.interior)};
+    case CutClass::isolated:
+      return isolated<D>(ground, rng);
     case CutClass::sheet:
       return sheet<D>(ground, rng);
     case CutClass::rim:
@@ -252,15 +290,16 @@ std::optional<Facets> facets_of_class(const Ground<D>& ground, CutClass cut_clas
 }  // namespace
 
 std::string_view name(CutClass cut_class) {
-  constexpr std::array<std::string_view, 10> kNames{
-      "single", "sheet", "rim", "tee", "cross", "star", "book", "shell", "everything", "random"};
+  constexpr std::array<std::string_view, 11> kNames{"single", "isolated",   "sheet", "rim",
+                                                    "tee",    "cross",      "star",  "book",
+                                                    "shell",  "everything", "random"};
   return kNames[static_cast<std::size_t>(cut_class)];
 }
 
 bool can_occur(CutClass cut_class, int dimension) {
-  const bool has_ridge = cut_class == CutClass::rim || cut_class == CutClass::tee ||
-                         cut_class == CutClass::cross || cut_class == CutClass::star ||
-                         cut_class == CutClass::book;
+  const bool has_ridge = cut_class == CutClass::isolated || cut_class == CutClass::rim ||
+                         cut_class == CutClass::tee || cut_class == CutClass::cross ||
+                         cut_class == CutClass::star || cut_class == CutClass::book;
   return dimension >= 2 || !has_ridge;
 }
 

@@ -119,6 +119,21 @@ Planted<D> ball(Rng& rng) {
 
 }  // namespace
 
+std::string_view name(Defect defect) {
+  constexpr std::array<std::string_view, kDefects.size()> kNames{"none",
+                                                                 "degenerate cell",
+                                                                 "vertex out of range",
+                                                                 "duplicate cell",
+                                                                 "facet in three cells",
+                                                                 "orientation conflict",
+                                                                 "non-orientable",
+                                                                 "not cut-regular",
+                                                                 "pinched simplex",
+                                                                 "bad vertex link",
+                                                                 "orphan vertex"};
+  return kNames[static_cast<std::size_t>(defect)];
+}
+
 bool can_occur(Defect defect, int dimension) {
   switch (defect) {
     case Defect::non_orientable:

@@ -16,7 +16,8 @@ struct Rejection {
     class_not_connected  // (c) corners share a vertex that no chain of uncut facets connects
   };
   Clause clause;
-  CornerId one{}, other{};  // the corners (or half-facets, for b) that show it
+  CornerId one{},
+      other{};  // the corners that show it; for (b) at a vertex of the facet, in its cells
 };
 
 std::string describe(const Rejection& rejection);

@@ -9,10 +9,11 @@
 
 namespace cleave::support {
 
-/// The classes of cuts that every property meets. A ridge is inner when every facet around it is
-/// interior; its degree is the number of cut facets that contain it.
+/// The classes of cuts that every property meets. A ridge or a vertex is inner when every facet
+/// around it is interior; the degree of a ridge is the number of cut facets that contain it.
 enum class CutClass {
   single,      // one facet
+  isolated,    // facets without common vertices, some with inner vertices only: these stay shut
   sheet,       // the facets between a set of cells and the rest
   rim,         // part of a sheet: some inner ridge has degree 1
   tee,         // three sectors of cells meet in an inner ridge of degree 3
@@ -24,9 +25,10 @@ enum class CutClass {
   random       // each interior facet with some probability
 };
 
-inline constexpr std::array<CutClass, 10> kCutClasses{
-    CutClass::single, CutClass::sheet, CutClass::rim,   CutClass::tee,        CutClass::cross,
-    CutClass::star,   CutClass::book,  CutClass::shell, CutClass::everything, CutClass::random};
+inline constexpr std::array<CutClass, 11> kCutClasses{
+    CutClass::single, CutClass::isolated,   CutClass::sheet, CutClass::rim,
+    CutClass::tee,    CutClass::cross,      CutClass::star,  CutClass::book,
+    CutClass::shell,  CutClass::everything, CutClass::random};
 
 std::string_view name(CutClass cut_class);
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "cleave/support/meshes.hpp"
@@ -34,6 +35,8 @@ inline constexpr std::array<Defect, 11> kDefects{Defect::none,
                                                  Defect::pinched_simplex,
                                                  Defect::bad_vertex_link,
                                                  Defect::orphan_vertex};
+
+std::string_view name(Defect defect);
 
 /// Whether the defect exists in this dimension without another one that implies it.
 bool can_occur(Defect defect, int dimension);
