@@ -78,7 +78,8 @@ TYPED_TEST(SimplicesOf, HalfFacetsAreFoundByOrientedTuple) {
     std::vector<std::int8_t> signs;
     for (std::uint32_t c = 0; c < k.cell_count(); ++c)
       signs.push_back(static_cast<std::int8_t>(k.sign({c})));
-    for (std::uint32_t h = 0; h < k.half_facet_count(); h += 1 + k.half_facet_count() / 500) {
+    const auto step = static_cast<std::uint32_t>(1 + k.half_facet_count() / 500);
+    for (std::uint32_t h = 0; h < k.half_facet_count(); h += step) {
       Facet<D> tuple = support::sorted_facet<D>(k.cells(), {h});
       const int induced = support::induced_sign<D>(k.cells(), signs, {h});
       do {
