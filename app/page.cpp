@@ -19,16 +19,18 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Modules of the page: the name other modules import, and the asset.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kModules{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kModules{{
     {"three", "three.module.min.js"},
     {"three/OrbitControls.js", "OrbitControls.js"},
     {"cleave/body.js", "body.js"},
+    {"cleave/camera.js", "camera.js"},
     {"cleave/colours.js", "colours.js"},
     {"cleave/data.js", "data.js"},
     {"cleave/fragment.js", "fragment.js"},
     {"cleave/main.js", "main.js"},
     {"cleave/marks.js", "marks.js"},
     {"cleave/mesh.js", "mesh.js"},
+    {"cleave/overlay.js", "overlay.js"},
     {"cleave/panel.js", "panel.js"},
     {"cleave/plot.js", "plot.js"},
     {"cleave/stage.js", "stage.js"},
@@ -166,9 +168,14 @@ Json import_map() {
   return {{"imports", std::move(imports)}};
 }
 
-std::string summary_html(const std::vector<std::string>& lines) {
+/// The first line stands beside the title, the others in a list of their own.
+std::string first_line(const std::vector<std::string>& lines) {
+  return lines.empty() ? std::string() : in_html(lines.front());
+}
+
+std::string other_lines(const std::vector<std::string>& lines) {
   std::string html;
-  for (const auto& line : lines) html += "<li>" + in_html(line) + "</li>";
+  for (std::size_t i = 1; i < lines.size(); ++i) html += "<li>" + in_html(lines[i]) + "</li>";
   return html;
 }
 
@@ -176,9 +183,10 @@ std::string summary_html(const std::vector<std::string>& lines) {
 
 void write_page(std::ostream& out, const PageData& data) {
   page::require_consistent(data);
-  const std::array<std::pair<std::string_view, std::string>, 6> parts{{
+  const std::array<std::pair<std::string_view, std::string>, 7> parts{{
       {"title", in_html(data.title)},
-      {"summary", summary_html(data.summary)},
+      {"summary", first_line(data.summary)},
+      {"story", other_lines(data.summary)},
       {"style", page::asset("page.css")},
       {"import_map", in_script(import_map())},
       {"data", in_script(data_json(data))},

@@ -35,7 +35,7 @@ struct PageSolve {
 
 /// Something to point at: a vertex (one place) or an edge (two), with what to say of it.
 struct PageMark {
-  std::string label;                    // "vertex 1207, copy of 88"
+  std::string label;  // "vertex 1207: why"; the picture shows what stands before the colon
   std::vector<std::uint32_t> vertices;  // 1 or 2, in the numbering of the first state
 };
 
@@ -49,7 +49,7 @@ struct PageFinding {
 /// nothing is converted.
 struct PageData {
   std::string title;
-  std::vector<std::string> summary;  // a few plain lines under the title
+  std::vector<std::string> summary;  // plain lines: one beside the title, the others by the states
   std::string length_unit;           // "mm"; empty: none
   std::vector<double> points;        // 3 per vertex of the first state, undeformed
   std::vector<PageState> states;  // at least one, all with the same number of cells, in time order

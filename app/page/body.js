@@ -1,7 +1,9 @@
-// The drawn body: the visible facets as loose triangles. Each corner carries its place at rest and its
-// displacement in two states, so that a copy leaves its parent smoothly and playing costs no refill.
+// The drawn body: the visible facets as loose triangles. Each corner carries its place at rest and
+// its displacement in two states, so that a copy leaves its parent smoothly and playing costs no
+// refill.
 import * as THREE from "three";
-import {OPENED_COLOUR, PLAIN_COLOUR, SHUT_COLOUR, displacementColours, materialColour} from "cleave/colours.js";
+import {displacementColours, materialColour} from "cleave/colours.js";
+import {OPENED_COLOUR, PLAIN_COLOUR, SHUT_COLOUR} from "cleave/colours.js";
 import {SKIN, facetCorners} from "cleave/mesh.js";
 
 const VERTEX = `
@@ -82,9 +84,16 @@ export const COLOURINGS = ["plain", "displacement", "material"];
 export function sharedUniforms() {
   const colour = (text) => ({value: new THREE.Color(text)});
   return {
-    scale: {value: 1}, range: {value: 1}, map: {value: displacementTexture()}, colouring: {value: 1},
-    edges: {value: 1}, incision: {value: 1}, up: {value: new THREE.Vector3(0, 0, 1)},
-    plain: colour(PLAIN_COLOUR), opened: colour(OPENED_COLOUR), shut: colour(SHUT_COLOUR),
+    scale: {value: 1},
+    range: {value: 1},
+    map: {value: displacementTexture()},
+    colouring: {value: 1},
+    edges: {value: 1},
+    incision: {value: 1},
+    up: {value: new THREE.Vector3(0, 0, 1)},
+    plain: colour(PLAIN_COLOUR),
+    opened: colour(OPENED_COLOUR),
+    shut: colour(SHUT_COLOUR),
   };
 }
 
@@ -111,7 +120,8 @@ export class Body {
     this.opacity = {value: 1};
     this.geometry = new THREE.BufferGeometry();
     this.material = new THREE.ShaderMaterial({
-      vertexShader: VERTEX, fragmentShader: FRAGMENT,
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
       uniforms: {...uniforms, t, opacity: this.opacity},
     });
     this.object = new THREE.Mesh(this.geometry, this.material);
@@ -136,7 +146,8 @@ export class Body {
 
   tintOf(cell) {
     const material = this.materialOfCell.length ? this.materialOfCell[cell] : 0;
-    return this.tints[material] ??= new THREE.Color(materialColour(material)).toArray().map((x) => Math.round(255 * x));
+    return this.tints[material] ??=
+               new THREE.Color(materialColour(material)).toArray().map((x) => Math.round(255 * x));
   }
 
   /// Draws `facets` of the given kinds between two states; rim(a, b) tells edges of the incision.
@@ -146,13 +157,15 @@ export class Body {
     this.reserve(3 * facets.length);
     const attribute = this.geometry.attributes;
     if (!attribute.position) return;
-    const [position, from, to, tint, kindAndRim] = Object.keys(SIZES).map((name) => attribute[name].array);
+    const [position, from, to, tint, kindAndRim] =
+        Object.keys(SIZES).map((name) => attribute[name].array);
     for (let f = 0; f < facets.length; ++f) {
       facetCorners(this.mesh, facets[f], corners);
       const rgb = this.tintOf(facets[f] >> 2);
       let edges = 0;
       if (kinds[f] === SKIN)
-        for (let i = 0; i < 3; ++i) edges |= rim(cells[corners[i]], cells[corners[(i + 1) % 3]]) << (2 * i);
+        for (let i = 0; i < 3; ++i)
+          edges |= rim(cells[corners[i]], cells[corners[(i + 1) % 3]]) << (2 * i);
       for (let i = 0; i < 3; ++i) {
         const at = 3 * f + i, v = 3 * cells[corners[i]];
         for (let axis = 0; axis < 3; ++axis) {

@@ -1,16 +1,21 @@
 // Colours of the body. Strings are sRGB.
 
-// The map of displacement runs from pale to deep through places in Oklab (B. Ottosson 2020): lightness,
-// then green-red and blue-yellow. Entries are equally far apart there, so equal differences look
-// equal; lightness only falls, so it reads without colour too; orange is left to the incision.
-const PLACES = [[0.945, 0.000, 0.045], [0.80, -0.095, 0.025], [0.63, -0.075, -0.070], [0.46, 0.010, -0.140],
-  [0.30, 0.075, -0.110]];
+// The map of displacement runs from pale to deep through places in Oklab (B. Ottosson 2020):
+// lightness, then green-red and blue-yellow. Entries are equally far apart there, so equal
+// differences look equal; lightness only falls, so it reads without colour too; orange is left to
+// the incision.
+const PLACES = [
+  [0.945, 0.000, 0.045], [0.80, -0.095, 0.025], [0.63, -0.075, -0.070], [0.46, 0.010, -0.140],
+  [0.30, 0.075, -0.110]
+];
 
 export const OPENED_COLOUR = "#ff5a2c", SHUT_COLOUR = "#d63cf0", PLAIN_COLOUR = "#c9b4a0";
 
 // Muted, told apart in both themes and by most kinds of colour vision; none near the incision's.
-const MATERIALS = ["#c69c8d", "#5b86b4", "#cdb25a", "#6f9d7d", "#9b83b8", "#55999c", "#a9708f", "#8f9464",
-  "#7f8fc9", "#a08a78"];
+const MATERIALS = [
+  "#c69c8d", "#5b86b4", "#cdb25a", "#6f9d7d", "#9b83b8", "#55999c", "#a9708f", "#8f9464", "#7f8fc9",
+  "#a08a78"
+];
 
 export const materialColour = (material) => MATERIALS[material % MATERIALS.length];
 
@@ -18,9 +23,11 @@ function fromOklab([lightness, a, b]) {
   const l = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
   const m = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
   const s = (lightness - 0.0894841775 * a - 1.2914855480 * b) ** 3;
-  const linear = [4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+  const linear = [
+    4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
     -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
-    -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s];
+    -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s
+  ];
   const encode = (x) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
   return linear.map((x) => Math.round(255 * encode(Math.min(Math.max(x, 0), 1))));
 }
@@ -52,6 +59,7 @@ export function displacementColours(count) {
 
 export function displacementGradient() {
   const table = displacementColours(24), stops = [];
-  for (let i = 0; i < table.length; i += 4) stops.push(`rgb(${table[i]} ${table[i + 1]} ${table[i + 2]})`);
+  for (let i = 0; i < table.length; i += 4)
+    stops.push(`rgb(${table[i]} ${table[i + 1]} ${table[i + 2]})`);
   return `linear-gradient(to right, ${stops.join(", ")})`;
 }

@@ -50,7 +50,8 @@ export function largestDisplacement(state) {
   const u = state.displacement;
   if (!u) return 0;
   let largest = 0;
-  for (let i = 0; i < u.length; i += 3) largest = Math.max(largest, Math.hypot(u[i], u[i + 1], u[i + 2]));
+  for (let i = 0; i < u.length; i += 3)
+    largest = Math.max(largest, Math.hypot(u[i], u[i + 1], u[i + 2]));
   return largest;
 }
 

@@ -29,7 +29,8 @@ const ALLOWED = {
   scale: (x) => Number.isFinite(x) && x >= 0,
   axis: (x) => ["off", "x", "y", "z"].includes(x),
   at: (x) => x >= 0 && x <= 1,
-  camera: ({azimuth, elevation, zoom}) => [azimuth, elevation, zoom].every(Number.isFinite) && zoom > 0,
+  camera:
+      ({azimuth, elevation, zoom}) => [azimuth, elevation, zoom].every(Number.isFinite) && zoom > 0,
 };
 
 /// What the fragment asks for, laid over `view`. A key that cannot mean a view changes nothing.

@@ -34,13 +34,31 @@ function niceScale() {
   return power * [5, 2, 1].find((m) => m * power <= wanted);
 }
 
-const limits = {last, range, scale: niceScale(), low: mesh.low, high: mesh.high};
+const limits = {
+  last,
+  range,
+  scale: niceScale(),
+  low: mesh.low,
+  high: mesh.high
+};
 const uncut = data.states.findLastIndex?.((state) => state.opened.length === 0) ?? 0;
 const start = {
-  position: last, before: Math.max(0, uncut), compare: false,
-  colour: range > 0 ? "displacement" : data.materialOfCell.length ? "material" : "plain",
-  scale: limits.scale, range, axis: "off", at: 0.5, flip: false,
-  edges: true, incision: true, seeThrough: false, findings: data.findings.map(() => true), playing: false,
+  position: last,
+  before: Math.max(0, uncut),
+  compare: false,
+  colour: range > 0              ? "displacement" :
+      data.materialOfCell.length ? "material" :
+                                   "plain",
+  scale: limits.scale,
+  range,
+  axis: "off",
+  at: 0.5,
+  flip: false,
+  edges: true,
+  incision: true,
+  seeThrough: false,
+  findings: data.findings.map(() => true),
+  playing: false,
 };
 
 let view = readFragment(location.hash, start, limits);
@@ -103,7 +121,8 @@ const KEYS = {
 };
 
 const typing = (event) => event.ctrlKey || event.metaKey || event.altKey ||
-    event.target.closest?.("select, details") || (event.key === " " && event.target.closest?.("button, input"));
+    event.target.closest?.("select, details") ||
+    (event.key === " " && event.target.closest?.("button, input"));
 
 let held = null;  // the place in time to go back to when `b` is let go
 addEventListener("keydown", (event) => {

@@ -1,5 +1,5 @@
-// Findings in the body: vertices as dots, edges as bars of constant width, labels as HTML above them.
-// Where the body hides them they are drawn faintly.
+// Findings in the body: vertices as dots, edges as bars of constant width, labels as HTML above
+// them. Where the body hides them they are drawn faintly.
 import * as THREE from "three";
 import {cornerDisplacement} from "cleave/body.js";
 
@@ -25,7 +25,8 @@ void main() {
   float r = 2.0 * length(gl_PointCoord - 0.5);
   float soft = fwidth(r);
   float inner = 1.0 - smoothstep(0.58 - soft, 0.58 + soft, r);
-  gl_FragColor = vec4(mix(vec3(1.0), colour, inner), opacity * (1.0 - smoothstep(1.0 - 2.0 * soft, 1.0, r)));
+  float disc = 1.0 - smoothstep(1.0 - 2.0 * soft, 1.0, r);
+  gl_FragColor = vec4(mix(vec3(1.0), colour, inner), opacity * disc);
   #include <colorspace_fragment>
 }`;
 
@@ -68,18 +69,24 @@ export class Marks {
     this.mesh = mesh;
     this.findings = findings;
     this.corners = cornersOf(mesh.cells, findings);
-    this.uniforms = {...uniforms, t, pixelRatio: {value: 1}, viewport: {value: new THREE.Vector2(1, 1)}};
+    this.uniforms =
+        {...uniforms, t, pixelRatio: {value: 1}, viewport: {value: new THREE.Vector2(1, 1)}};
     this.object = new THREE.Group();
-    this.groups = findings.map((finding, i) => this.makeGroup(finding, MARK_COLOURS[i % MARK_COLOURS.length]));
+    this.groups = findings.map(
+        (finding, i) => this.makeGroup(finding, MARK_COLOURS[i % MARK_COLOURS.length]));
     this.object.add(...this.groups);
     this.labels = [];
   }
 
   makeGroup(finding, colour) {
     const group = new THREE.Group();
-    const dots = finding.marks.filter((mark) => mark.vertices.length === 1).map((mark) => mark.vertices);
-    const bars = finding.marks.filter((mark) => mark.vertices.length === 2)
-        .flatMap(({vertices: [a, b]}) => [[a, b, 1], [a, b, -1], [b, a, 1], [b, a, 1], [b, a, -1], [a, b, 1]]);
+    const dots =
+        finding.marks.filter((mark) => mark.vertices.length === 1).map((mark) => mark.vertices);
+    const bars =
+        finding.marks.filter((mark) => mark.vertices.length === 2)
+            .flatMap(({
+                       vertices: [a, b]
+                     }) => [[a, b, 1], [a, b, -1], [b, a, 1], [b, a, 1], [b, a, -1], [a, b, 1]]);
     this.addMeshes(group, dots, colour, THREE.Points, DOT_VERTEX, DOT_FRAGMENT);
     this.addMeshes(group, bars, colour, THREE.Mesh, BAR_VERTEX, BAR_FRAGMENT);
     return group;
@@ -91,13 +98,25 @@ export class Marks {
     const geometry = new THREE.BufferGeometry();
     geometry.userData.places = places;
     for (const name of ["position", "from", "to", "otherRest", "otherFrom", "otherTo"])
-      geometry.setAttribute(name, new THREE.BufferAttribute(new Float32Array(3 * places.length), 3));
+      geometry.setAttribute(
+          name, new THREE.BufferAttribute(new Float32Array(3 * places.length), 3));
     const sides = new Float32Array(places.map((place) => place[2] ?? 0));
     geometry.setAttribute("side", new THREE.BufferAttribute(sides, 1));
     for (const [depthTest, opacity] of [[false, 0.4], [true, 1]]) {
-      const uniforms = {...this.uniforms, colour: {value: new THREE.Color(colour)}, opacity: {value: opacity}};
-      const material = new THREE.ShaderMaterial({vertexShader, fragmentShader, uniforms, depthTest,
-        depthWrite: false, transparent: true, side: THREE.DoubleSide});
+      const uniforms = {
+        ...this.uniforms,
+        colour: {value: new THREE.Color(colour)},
+        opacity: {value: opacity}
+      };
+      const material = new THREE.ShaderMaterial({
+        vertexShader,
+        fragmentShader,
+        uniforms,
+        depthTest,
+        depthWrite: false,
+        transparent: true,
+        side: THREE.DoubleSide
+      });
       const mesh = new Kind(geometry, material);
       mesh.frustumCulled = false;
       mesh.renderOrder = depthTest ? 3 : 2;
@@ -120,7 +139,8 @@ export class Marks {
     for (const group of this.groups)
       for (const {geometry: {attributes, userData}} of group.children)
         userData.places.forEach(([a, b], i) => {
-          const here = this.place(a, fromState, toState), there = this.place(b ?? a, fromState, toState);
+          const here = this.place(a, fromState, toState),
+                there = this.place(b ?? a, fromState, toState);
           const set = (name, value) => attributes[name].array.set(value, 3 * i);
           set("position", here.rest);
           set("from", here.from);
@@ -130,24 +150,35 @@ export class Marks {
           set("otherTo", there.to);
           for (const name of Object.keys(attributes)) attributes[name].needsUpdate = true;
         });
-    this.labels = this.findings.flatMap(({marks}, finding) => marks.map(({label, vertices}) =>
-        ({label, finding, places: vertices.map((v) => this.place(v, fromState, toState))})));
+    this.labels = this.findings.flatMap(
+        ({marks}, finding) =>
+            marks.map(({label, vertices}) => ({
+                        label: label.split(":")[0],
+                        finding,
+                        places: vertices.map((v) => this.place(v, fromState, toState))
+                      })));
   }
 
   show(shown) {
-    this.groups.forEach((group, i) => { group.visible = shown[i]; });
+    this.groups.forEach((group, i) => {
+      group.visible = shown[i];
+    });
     this.shown = shown;
   }
 
   /// The shown labels nearest to the camera, with their places in the deformed body.
   visibleLabels(camera, t, scale) {
-    const all = this.labels.filter(({finding}) => this.shown[finding]).map(({label, finding, places}) => {
-      const at = new THREE.Vector3();
-      for (const {rest, from, to} of places)
-        at.add(new THREE.Vector3(...rest.map((x, i) => x + scale * (from[i] * (1 - t) + to[i] * t))));
-      return {label, finding, at: at.divideScalar(places.length)};
-    });
-    all.sort((a, b) => a.at.distanceToSquared(camera.position) - b.at.distanceToSquared(camera.position));
+    const all =
+        this.labels.filter(({finding}) => this.shown[finding]).map(({label, finding, places}) => {
+          const at = new THREE.Vector3();
+          for (const {rest, from, to} of places)
+            at.add(new THREE.Vector3(
+                ...rest.map((x, i) => x + scale * (from[i] * (1 - t) + to[i] * t))));
+          return {label, finding, at: at.divideScalar(places.length)};
+        });
+    all.sort(
+        (a, b) =>
+            a.at.distanceToSquared(camera.position) - b.at.distanceToSquared(camera.position));
     return all.slice(0, LABELS_AT_MOST);
   }
 }

@@ -1,4 +1,5 @@
-// Half-facets, as everywhere in Cleave: h = 4 * cell + i is the facet opposite the cell's i-th vertex.
+// Half-facets, as everywhere in Cleave: h = 4 * cell + i is the facet opposite the cell's i-th
+// vertex.
 
 export const SKIN = 0, INSIDE = 1, OPENED = 2, SHUT = 3;
 
@@ -12,7 +13,8 @@ export function findMates(cells) {
   while (size < 2 * count) size *= 2;
   const table = new Int32Array(size).fill(-1);
   const mates = new Int32Array(count).fill(-1);
-  const low = new Uint32Array(count), middle = new Uint32Array(count), high = new Uint32Array(count);
+  const low = new Uint32Array(count), middle = new Uint32Array(count),
+        high = new Uint32Array(count);
   for (let h = 0; h < count; ++h) {
     const first = h - (h & 3), facet = FACET[h & 3];
     const a = cells[first + facet[0]], b = cells[first + facet[1]], c = cells[first + facet[2]];
@@ -20,7 +22,8 @@ export function findMates(cells) {
     low[h] = l;
     high[h] = u;
     middle[h] = a + b + c - l - u;
-    let at = (Math.imul(l, 73856093) ^ Math.imul(middle[h], 19349663) ^ Math.imul(u, 83492791)) & (size - 1);
+    let at = (Math.imul(l, 73856093) ^ Math.imul(middle[h], 19349663) ^ Math.imul(u, 83492791)) &
+        (size - 1);
     for (; table[at] >= 0; at = (at + 1) & (size - 1)) {
       const other = table[at];
       if (low[other] !== l || middle[other] !== middle[h] || high[other] !== u) continue;
@@ -47,7 +50,8 @@ export function readMesh(cells, points) {
   const negative = new Uint8Array(count), centroids = new Float32Array(3 * count);
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   for (let c = 0; c < count; ++c) {
-    const o = 3 * cells[4 * c], p = 3 * cells[4 * c + 1], q = 3 * cells[4 * c + 2], r = 3 * cells[4 * c + 3];
+    const o = 3 * cells[4 * c], p = 3 * cells[4 * c + 1], q = 3 * cells[4 * c + 2],
+          r = 3 * cells[4 * c + 3];
     const edge = (v, axis) => points[v + axis] - points[o + axis];
     const volume = edge(p, 0) * (edge(q, 1) * edge(r, 2) - edge(q, 2) * edge(r, 1)) -
         edge(p, 1) * (edge(q, 0) * edge(r, 2) - edge(q, 2) * edge(r, 0)) +
@@ -88,7 +92,8 @@ export function cellsBeyond(mesh, {axis, at, flip}) {
   return hidden;
 }
 
-/// The facets to draw: of visible cells, those without mate, opened, or with the mate's cell hidden.
+/// The facets to draw: of visible cells, those without mate, opened, or with the mate's cell
+/// hidden.
 export function visibleFacets(mesh, scored, hidden) {
   const facets = [], kinds = [];
   for (let h = 0; h < scored.length; ++h) {

@@ -1,7 +1,10 @@
 // Residual and energy-error estimate of every solve against run time, as SVG with a readout.
 import {inWords, readable} from "cleave/data.js";
 
-const COLOURS = ["var(--series-1)", "var(--series-2)", "var(--series-3)", "var(--series-4)", "var(--series-5)", "var(--series-6)"];
+const COLOURS = [
+  "var(--series-1)", "var(--series-2)", "var(--series-3)", "var(--series-4)", "var(--series-5)",
+  "var(--series-6)"
+];
 const WIDTH = 360, HEIGHT = 216, LEFT = 42, RIGHT = 8, TOP = 8, BOTTOM = 30;
 const CURVES = [["residual", "residual", ""], ["energyError", "energy-error estimate", "5 3"]];
 
@@ -30,12 +33,17 @@ function ticks(most) {
 
 // Screen coordinates of all that is plotted: time is linear, errors are logarithmic.
 function scales(solves) {
-  const positive = solves.flatMap((solve) => [...solve.residual, ...solve.energyError, solve.tolerance]).filter((x) => x > 0);
+  const positive =
+      solves.flatMap((solve) => [...solve.residual, ...solve.energyError, solve.tolerance])
+          .filter((x) => x > 0);
   const low = Math.floor(Math.log10(positive.reduce((a, b) => Math.min(a, b), 1)));
-  const high = Math.max(low + 1, Math.ceil(Math.log10(positive.reduce((a, b) => Math.max(a, b), 1e-300))));
+  const high =
+      Math.max(low + 1, Math.ceil(Math.log10(positive.reduce((a, b) => Math.max(a, b), 1e-300))));
   const most = solves.flatMap((solve) => solve.seconds).reduce((a, b) => Math.max(a, b), 0) || 1;
   return {
-    low, high, most,
+    low,
+    high,
+    most,
     x: (seconds) => LEFT + seconds / most * (WIDTH - LEFT - RIGHT),
     y: (value) => TOP + (high - Math.log10(value)) / (high - low) * (HEIGHT - TOP - BOTTOM),
   };
@@ -57,7 +65,8 @@ function axes(scale) {
   const {x, y, low, high, most} = scale, group = make("g", {class: "axes"});
   const every = Math.ceil((high - low) / 6);
   for (let power = low; power <= high; ++power) {
-    group.append(make("line", {x1: LEFT, x2: WIDTH - RIGHT, y1: y(10 ** power), y2: y(10 ** power)}));
+    group.append(
+        make("line", {x1: LEFT, x2: WIDTH - RIGHT, y1: y(10 ** power), y2: y(10 ** power)}));
     if ((power - low) % every) continue;
     const label = make("text", {x: LEFT - 6, y: y(10 ** power) + 3.5, "text-anchor": "end"}, "10");
     label.append(make("tspan", {dy: -4, "font-size": "8"}, String(power).replace("-", "−")));
@@ -65,8 +74,12 @@ function axes(scale) {
   }
   const [unit, name] = SECONDS.find(([size]) => most >= size) ?? SECONDS[2];
   for (const tick of ticks(most / unit))
-    group.append(make("text", {x: x(tick * unit), y: HEIGHT - BOTTOM + 14, "text-anchor": "middle"}, readable(tick)));
-  group.append(make("text", {x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 3, "text-anchor": "middle"}, `run time (${name})`));
+    group.append(make(
+        "text", {x: x(tick * unit), y: HEIGHT - BOTTOM + 14, "text-anchor": "middle"},
+        readable(tick)));
+  group.append(make(
+      "text", {x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 3, "text-anchor": "middle"},
+      `run time (${name})`));
   return group;
 }
 
@@ -84,7 +97,8 @@ function nearest(solves, scale, px, py) {
 }
 
 function readout(solves, scale, svg, text) {
-  const cursor = make("line", {class: "cursor", y1: TOP, y2: HEIGHT - BOTTOM, visibility: "hidden"});
+  const cursor =
+      make("line", {class: "cursor", y1: TOP, y2: HEIGHT - BOTTOM, visibility: "hidden"});
   const dots = CURVES.map(() => make("circle", {r: 3.5, visibility: "hidden"}));
   svg.append(cursor, ...dots);
   const show = (sample) => {
@@ -92,7 +106,8 @@ function readout(solves, scale, svg, text) {
     cursor.setAttribute("x1", scale.x(seconds));
     cursor.setAttribute("x2", scale.x(seconds));
     cursor.setAttribute("visibility", "visible");
-    const words = [`${solve.label}: iteration ${solve.iteration[sample.i]}, ${readable(1000 * seconds)} ms`];
+    const words =
+        [`${solve.label}: iteration ${solve.iteration[sample.i]}, ${readable(1000 * seconds)} ms`];
     CURVES.forEach(([key, name], k) => {
       const value = solve[key][sample.i];
       dots[k].setAttribute("visibility", value > 0 ? "visible" : "hidden");
@@ -107,11 +122,14 @@ function readout(solves, scale, svg, text) {
   let shown = null;
   svg.addEventListener("pointermove", (event) => {
     const box = svg.getBoundingClientRect();
-    shown = nearest(solves, scale, (event.clientX - box.left) / box.width * WIDTH, (event.clientY - box.top) / box.height * HEIGHT);
+    shown = nearest(
+        solves, scale, (event.clientX - box.left) / box.width * WIDTH,
+        (event.clientY - box.top) / box.height * HEIGHT);
     if (shown) show(shown);
   });
   svg.addEventListener("keydown", (event) => {
-    const step = {ArrowLeft: -1, ArrowRight: 1}[event.key], solve = {ArrowUp: -1, ArrowDown: 1}[event.key];
+    const step = {ArrowLeft: -1, ArrowRight: 1}[event.key],
+          solve = {ArrowUp: -1, ArrowDown: 1}[event.key];
     if (!step && !solve) return;
     event.preventDefault();
     shown ??= {s: 0, i: 0};
@@ -126,15 +144,31 @@ export function drawPlot(into, all) {
   const solves = all.filter((solve) => solve.seconds.length > 0);
   if (solves.length === 0) return 0;
   const scale = scales(solves);
-  const svg = make("svg", {viewBox: `0 0 ${WIDTH} ${HEIGHT}`, tabindex: 0, role: "img",
-    "aria-label": "Residual and energy-error estimate against run time; arrow keys read out samples"});
+  const svg = make("svg", {
+    viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+    tabindex: 0,
+    role: "img",
+    "aria-label": "Residual and energy-error estimate against run time; arrow keys read out samples"
+  });
   svg.append(axes(scale));
   for (const tolerance of new Set(solves.map((solve) => solve.tolerance).filter((x) => x > 0)))
-    svg.append(make("line", {class: "tolerance", x1: LEFT, x2: WIDTH - RIGHT, y1: scale.y(tolerance), y2: scale.y(tolerance)},
+    svg.append(make(
+        "line", {
+          class: "tolerance",
+          x1: LEFT,
+          x2: WIDTH - RIGHT,
+          y1: scale.y(tolerance),
+          y2: scale.y(tolerance)
+        },
         make("title", {}, `tolerance ${tolerance.toExponential(0)}`)));
   solves.forEach((solve, s) => {
     for (const [key, name, dashes] of CURVES)
-      svg.append(make("path", {d: path(solve, solve[key], scale), stroke: COLOURS[s % COLOURS.length], "stroke-dasharray": dashes},
+      svg.append(make(
+          "path", {
+            d: path(solve, solve[key], scale),
+            stroke: COLOURS[s % COLOURS.length],
+            "stroke-dasharray": dashes
+          },
           make("title", {}, `${solve.label}: ${name}`)));
   });
   const names = solves.map((solve, s) => {
@@ -142,7 +176,8 @@ export function drawPlot(into, all) {
     swatch.style.background = COLOURS[s % COLOURS.length];
     return html("span", "", swatch, solve.label, html("small", "", inWords(solve.outcome)));
   });
-  const kinds = CURVES.map(([, name, dashes]) => html("span", dashes ? "dashed" : "solid", html("i", "stroke"), name));
+  const kinds = CURVES.map(
+      ([, name, dashes]) => html("span", dashes ? "dashed" : "solid", html("i", "stroke"), name));
   const text = html("p", "readout", "Point at a curve to read it.");
   text.setAttribute("role", "status");
   readout(solves, scale, svg, text);

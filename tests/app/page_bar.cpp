@@ -148,7 +148,7 @@ PageData bar_cut_in_two() {
     data.cell_numbers.push_back((std::uint64_t{1} << 53) + 1 +
                                 c);  // more than a double can tell apart
   }
-  data.findings = {{"Regularised vertices", {{"vertex 500, copy of 8", {8}}}},
+  data.findings = {{"Regularised vertices", {{"vertex 500: a copy of 8", {8}}}},
                    {"Pinched edges", {{"edge 424 425", {423, 424}}, {"edge 1 18", {0, 17}}}}};
   data.solves = {decaying_solve("under load", 0.29, 64), decaying_solve("cut through", 0.05, 500)};
   data.solves[1].outcome = "iteration_limit";

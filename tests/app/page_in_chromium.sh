@@ -31,7 +31,7 @@ expect() {
 
 # The page opens on the last state: cut through, both sides of 32 facets.
 expect "" 'data-cells="1536"' 'data-triangles="640"' 'data-skin="576"' 'data-opened="64"' \
-  'data-position="3"' '>iteration limit<' '>vertex 500, copy of 8<' \
+  'data-position="3"' '>iteration limit<' '>vertex 500<' '>vertex 500: a copy of 8<' \
   '<div class="caption" id="caption-after">Cut through<'
 # Half cut: 16 facets open; the shut one is inside the body.
 expect "#state=1" 'data-triangles="608"' 'data-opened="32"' 'data-shut="0"' '>Half cut<'

@@ -84,11 +84,12 @@ std::string file(const std::string& name) {
 
 TEST(Page, TextIsEscaped) {
   auto data = bar_cut_in_two();
-  data.summary = {"<img src=x onerror=alert(1)>", "a & b"};
+  data.summary = {"<img src=x onerror=alert(1)>", "a & b", "c"};
   data.states[0].label = "</script><!-- <script>";
   const auto page = page_of(data);
   EXPECT_EQ(between(page, "<title>", "</title>"), "Bar &lt;cut&gt; in two &amp; &quot;bent&quot;");
-  EXPECT_NE(page.find("<li>&lt;img src=x onerror=alert(1)&gt;</li><li>a &amp; b</li>"), page.npos);
+  EXPECT_NE(page.find(">&lt;img src=x onerror=alert(1)&gt;</p>"), page.npos);
+  EXPECT_NE(page.find("<li>a &amp; b</li><li>c</li>"), page.npos);
   const auto json = data_of(page);
   EXPECT_EQ(json["title"], data.title);
   EXPECT_EQ(json["states"][0]["label"], "</script><!-- <script>");
