@@ -1,0 +1,68 @@
+#include "check_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "body.hpp"
+#include "cleave/topology/check.hpp"
+#include "geometry_check.hpp"
+
+namespace cleave::app {
+
+std::size_t CheckReport::errors() const {
+  return static_cast<std::size_t>(
+      std::count_if(findings.begin(), findings.end(),
+                    [](const Finding& f) { return f.severity == Severity::error; }));
+}
+
+namespace {
+
+template <int D>
+CheckReport check_cells(const Mesh& mesh, topology::Level required) {
+  const auto soup = soup_of<D>(mesh);
+  const auto violations = topology::check(soup, topology::Level::manifold);
+  CheckReport report{mesh.source, D, soup.cells.size(), mesh.points.size(),
+                     topology::level_reached(D, violations), {}, topology::summarize(soup)};
+  for (const auto& violation : violations)
+    report.findings.push_back(finding_of(violation, mesh, required));
+  for (Finding& finding : check_geometry(mesh)) report.findings.push_back(std::move(finding));
+  return report;
+}
+
+}  // namespace
+
+CheckReport check_mesh(const Mesh& mesh, topology::Level required) {
+  if (mesh.dimension == 1) return check_cells<1>(mesh, required);
+  if (mesh.dimension == 2) return check_cells<2>(mesh, required);
+  return check_cells<3>(mesh, required);
+}
+
+std::string text_of(const CheckReport& report, std::size_t at_most, bool summary) {
+  std::map<std::string, std::size_t> of_rule;
+  for (const Finding& finding : report.findings) ++of_rule[finding.rule];
+
+  std::string text;
+  std::map<std::string, std::size_t> shown;
+  for (const Finding& finding : report.findings) {
+    const char* severity = finding.severity == Severity::error ? "error" : "warning";
+    const std::size_t count = ++shown[finding.rule];
+    if (count <= at_most)
+      text += fmt::format("{}: {}: {}: {}\n", report.source, severity, finding.rule,
+                          finding.message);
+    else if (count == of_rule[finding.rule])
+      text += fmt::format("{}: {}: {}: {} more like these; --json lists them all\n", report.source,
+                          severity, finding.rule, count - at_most);
+  }
+  if (!summary) return text;
+  const std::size_t errors = report.errors(), warnings = report.findings.size() - errors;
+  return text + fmt::format("{}: dimension {}, {} cells, {} vertices, {} pieces, {} boundary "
+                            "components, Euler characteristic {}; level {}; {} errors, {} warnings\n",
+                            report.source, report.dimension, report.cells, report.vertices,
+                            report.topology.pieces, report.topology.boundary_components,
+                            report.topology.euler_characteristic, topology::name(report.level),
+                            errors, warnings);
+}
+
+}  // namespace cleave::app

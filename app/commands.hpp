@@ -1,0 +1,33 @@
+#pragma once
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+/// The subcommands. Each function adds one to `cleave`; when the command line asks for it, `chosen`
+/// is what to do: it returns the exit status, or throws what `guarded` explains.
+namespace cleave::app {
+
+using Action = std::function<int()>;
+
+void add_check_command(CLI::App& cleave, Action& chosen);
+void add_cut_command(CLI::App& cleave, Action& chosen);
+
+/// Does `action` and turns what it throws into a message on stderr and an exit status: InputError,
+/// OutputError, too many cells and too little memory into kBadInput; anything else, which is a defect
+/// of ours, into kBroken.
+int guarded(const Action& action);
+
+/// Prints "cleave: warning: .." on stderr.
+void warn(const std::string& text);
+
+/// Writes `text` to the file at `path`, completely or not at all; "-" is standard output. Throws
+/// OutputError.
+void write_report(const std::string& path, const std::string& text);
+
+/// Writes `text` to standard output; throws OutputError if not all of it arrives.
+void print(const std::string& text);
+
+}  // namespace cleave::app

@@ -1,0 +1,115 @@
+#include <CLI/CLI.hpp>
+#include <optional>
+
+#include "commands.hpp"
+#include "cut_mesh.hpp"
+#include "error.hpp"
+#include "mesh_file.hpp"
+#include "output_file.hpp"
+
+namespace cleave::app {
+namespace {
+
+int run_cut(const CutOptions& options) {
+  Progress progress(6, options.quiet);
+  progress.stage("reading " + options.mesh);
+  const Mesh mesh = read_mesh(options.mesh);
+  const CutResult result = cut_mesh(mesh, options, progress);
+  progress.clear();
+  for (const std::string& warning : result.warnings) warn(warning);
+
+  // The report is written first and appears last: if either cannot be written, neither is there.
+  std::optional<OutputFile> json;
+  if (!options.json.empty() && options.json != "-") {
+    json.emplace(options.json);
+    json->write(json_of(result.report));
+  }
+  if (!options.dry_run) {
+    progress.stage("writing " + options.out);
+    write_mesh(options.out, result.mesh);
+    progress.clear();
+  }
+  if (json) json->commit();
+  if (options.json == "-")
+    print(json_of(result.report));
+  else if (!options.quiet)
+    print(text_of(result.report, options.mesh, options.explain));
+  return options.require_open && result.report.shut > 0 ? kFindings : kFine;
+}
+
+void add_request(CLI::App& cut, CutOptions& options) {
+  auto* what = cut.add_option_group("What to cut", "exactly one of");
+  what->add_option("--facets", options.facets,
+                   "Facets by vertex numbers: JSON {\"facets\": [[a, b, c], ..]}")
+      ->option_text("FILE");
+  what->add_option("--group", options.groups, "Facet groups of MESH, by name")
+      ->option_text("NAME..");
+  auto* sweep = what->add_option("--sweep", options.sweep,
+                                 "What a blade sweeps: JSON {\"blade\": [[p, q], ..]}, "
+                                 "{\"triangles\": ..} or, in a plane, {\"polyline\": [p, ..]}")
+                    ->option_text("FILE");
+  what->add_flag("--all", options.all, "Every interior facet");
+  what->require_option(1);
+
+  const std::map<std::string, cutting::Rule> rules{
+      {"dual-edge", cutting::Rule::dual_edge}, {"nearest-vertex", cutting::Rule::nearest_vertex}};
+  const std::map<std::string, cutting::Ties> ties{{"id", cutting::Ties::by_id},
+                                                  {"both", cutting::Ties::both}};
+  cut.add_option("--select", options.select.rule,
+                 "How a sweep selects facets: dual-edge (default) or nearest-vertex")
+      ->transform(CLI::CheckedTransformer(rules).description(""))
+      ->needs(sweep)
+      ->option_text("RULE");
+  cut.add_option("--ties", options.select.ties,
+                 "nearest-vertex: of two equally near vertices the one with the lesser number, id "
+                 "(default), or both")
+      ->transform(CLI::CheckedTransformer(ties).description(""))
+      ->needs(sweep)
+      ->option_text("HOW");
+}
+
+}  // namespace
+
+void add_cut_command(CLI::App& cleave, Action& chosen) {
+  auto* cut = cleave.add_subcommand("cut", "Separates the cells of a mesh along its own facets");
+  auto options = std::make_shared<CutOptions>();
+  cut->add_option("MESH", options->mesh, "Mesh file: .mesh, .msh, .vtu, .vtk")
+      ->required()
+      ->option_text("FILE");
+  auto* out = cut->add_option("-o,--output", options->out, "The mesh to write, in any of these formats")
+                  ->option_text("OUT");
+  add_request(*cut, *options);
+
+  const std::map<std::string, topology::Verify> verify{{"none", topology::Verify::none},
+                                                       {"touched", topology::Verify::touched},
+                                                       {"all", topology::Verify::all}};
+  auto* dry_run = cut->add_flag("--dry-run", options->dry_run, "Do everything but write OUT");
+  cut->add_flag("--explain", options->explain,
+                "Say why facets stay shut, and by which vertex facets opened");
+  cut->add_flag("--require-open", options->require_open, "Exit with 1 if a facet stays shut");
+  cut->add_flag("--strict", options->strict,
+                "Refuse a mesh that is not cut-regular instead of regularising it");
+  cut->add_option("--verify", options->verify,
+                  "Verify nothing (none), what the cut touched (touched, default), or everything and "
+                  "certify the result (all)")
+      ->transform(CLI::CheckedTransformer(verify).description(""))
+      ->option_text("WHAT");
+  cut->add_option("--json", options->json, "Write the report to this file; - is standard output")
+      ->option_text("FILE");
+  cut->add_flag("--quiet", options->quiet, "No progress bar and no summary");
+  cut->footer(
+      "Exit status: 0 done; 1 a facet stays shut and --require-open is given; 2 wrong usage;\n"
+      "3 the input is missing, unreadable or invalid for the request, nothing is written;\n"
+      "4 a defect of cleave.\n"
+      "Examples:\n"
+      "  cleave cut fault.msh -o open.msh --group fault\n"
+      "  cleave cut liver.mesh -o cut.vtu --sweep blade.json --json report.json\n"
+      "  cleave cut liver.mesh --facets seam.json --dry-run --explain");
+  cut->callback([options, out, dry_run, &chosen] {
+    if (out->count() == 0 && dry_run->count() == 0)
+      throw CLI::RequiredError("-o OUT (or --dry-run)");
+    chosen = [options] { return run_cut(*options); };
+  });
+}
+
+}  // namespace cleave::app

@@ -1,0 +1,57 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cut_output.hpp"
+
+namespace cleave::app {
+
+/// All that `cleave cut` has to say. Numbers are those of MESH unless said otherwise.
+struct CutReport {
+  struct Copy {
+    std::uint64_t vertex, parent;  // in OUT, in MESH
+  };
+  struct Because {
+    std::uint64_t vertex;
+    std::vector<std::uint64_t> through;  // cells
+  };
+  struct Shut {
+    std::vector<std::uint64_t> facet;  // vertices, ascending
+    std::vector<Because> because;      // per vertex of the facet
+  };
+  struct Opened {
+    std::vector<std::uint64_t> facet;
+    std::uint64_t by;  // a vertex that separates its sides
+  };
+  struct OneSided {
+    std::string name;
+    std::vector<std::vector<std::uint64_t>> loop;  // facets
+  };
+
+  std::size_t cells = 0, vertices_before = 0, vertices_after = 0;  // vertices that cells use
+  std::size_t requested = 0, opened = 0, shut = 0, not_interior = 0;
+  std::size_t pieces_before = 0, pieces_after = 0;
+  bool cut_regular = true;  // the result
+  std::size_t pinched_edges = 0;
+  std::vector<Copy> regularized, splits;
+  std::vector<Shut> shut_facets;
+  std::optional<std::vector<Opened>> opened_facets;  // if asked for
+  std::vector<OneSided> one_sided;
+};
+
+/// The report on `incision`, made from `body`, whose output is `output`. Fills everything but
+/// requested and not_interior, and opened_facets only if `with_opened`. Time: linear in the mesh.
+template <int D>
+CutReport report_on(const Body<D>& body, const topology::Incision<D>& incision,
+                    const CutOutput& output, bool with_opened);
+
+/// A few lines; with `explain` one more for each shut or opened facet.
+std::string text_of(const CutReport& report, const std::string& source, bool explain);
+
+/// docs/schemas/cleave-cut-1.schema.json
+std::string json_of(const CutReport& report);
+
+}  // namespace cleave::app
