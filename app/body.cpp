@@ -37,7 +37,8 @@ InputError refusal(const Mesh& mesh, const std::vector<topology::Violation>& vio
   std::string text = mesh.source + ": this mesh cannot be used:";
   for (std::size_t i = 0; i < std::min(kShown, violations.size()); ++i)
     text += "\n  " + describe_in_file(violations[i], mesh);
-  if (violations.size() > kShown) text += fmt::format("\n  and {} more", violations.size() - kShown);
+  if (violations.size() > kShown)
+    text += fmt::format("\n  and {} more", violations.size() - kShown);
   return InputError(text + "\n`cleave check` lists every violation; mend the file and try again");
 }
 
@@ -45,8 +46,10 @@ void require_finite(const Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
     for (const double x : mesh.points[i])
       if (!std::isfinite(x))
-        throw InputError(fmt::format("{}: vertex {} has a coordinate that is not finite ({}); mend "
-                                     "the file", mesh.source, mesh.vertex_numbers[i], x));
+        throw InputError(
+            fmt::format("{}: vertex {} has a coordinate that is not finite ({}); mend "
+                        "the file",
+                        mesh.source, mesh.vertex_numbers[i], x));
 }
 
 // D! times the signed volume of a cell, in double precision: enough for a sum over a piece.
@@ -112,7 +115,8 @@ template <int D>
 std::vector<std::array<double, static_cast<std::size_t>(D)>> points_of(const Body<D>& body) {
   const Mesh& mesh = *body.mesh;
   if (D == 2 && !is_planar(mesh))
-    throw InputError(mesh.source + ": the triangles do not lie in a plane z = constant, so nothing "
+    throw InputError(mesh.source +
+                     ": the triangles do not lie in a plane z = constant, so nothing "
                      "can be swept through them; name facets instead (--facets, --group)");
   std::vector<std::array<double, static_cast<std::size_t>(D)>> points(body.complex.vertex_count());
   for (std::uint32_t v = 0; v < points.size(); ++v)
@@ -133,8 +137,10 @@ std::vector<HalfFacetId> locate(const Body<D>& body, std::span<const std::uint32
     if (!found[i]) {
       std::vector<std::uint64_t> numbers;
       for (const VertexId v : tuples[i]) numbers.push_back(vertex_number(*body.mesh, v));
-      throw InputError(fmt::format("{}: {} asks for the facet ({}), which no cell has; check the "
-                                   "vertex numbers", body.mesh->source, asked_by, listed(numbers)));
+      throw InputError(
+          fmt::format("{}: {} asks for the facet ({}), which no cell has; check the "
+                      "vertex numbers",
+                      body.mesh->source, asked_by, listed(numbers)));
     }
     located.push_back(*found[i]);
   }
@@ -145,8 +151,7 @@ template <int D>
 SortedOut sort_out(const topology::Complex<D>& k, std::span<const HalfFacetId> facets) {
   std::vector<HalfFacetId> interior;
   SortedOut sorted;
-  for (const HalfFacetId h : facets)
-    (k.is_interior(h) ? interior : sorted.boundary).push_back(h);
+  for (const HalfFacetId h : facets) (k.is_interior(h) ? interior : sorted.boundary).push_back(h);
   sorted.interior = topology::FacetSet::of(k, std::span<const HalfFacetId>(interior));
   std::sort(sorted.boundary.begin(), sorted.boundary.end());
   sorted.boundary.erase(std::unique(sorted.boundary.begin(), sorted.boundary.end()),
@@ -161,9 +166,9 @@ const Group& facet_group(const Mesh& mesh, const std::string& name) {
     if (group.name == name) return group;
     names += (names.empty() ? "" : ", ") + group.name;
   }
-  throw InputError(fmt::format("{}: no facet group is named \"{}\"; {}", mesh.source, name,
-                               names.empty() ? "the file has no facet groups"
-                                             : "the facet groups are: " + names));
+  throw InputError(fmt::format(
+      "{}: no facet group is named \"{}\"; {}", mesh.source, name,
+      names.empty() ? "the file has no facet groups" : "the facet groups are: " + names));
 }
 
 std::vector<std::uint32_t> vertices_of(const Mesh& mesh, const Group& group) {
@@ -172,16 +177,17 @@ std::vector<std::uint32_t> vertices_of(const Mesh& mesh, const Group& group) {
   std::vector<std::uint32_t> vertices;
   vertices.reserve(corners * group.elements.size());
   for (const std::uint32_t e : group.elements)
-    for (std::size_t i = 0; i < corners; ++i) vertices.push_back(elements.vertices[corners * e + i]);
+    for (std::size_t i = 0; i < corners; ++i)
+      vertices.push_back(elements.vertices[corners * e + i]);
   return vertices;
 }
 
-#define CLEAVE_INSTANTIATE(D)                                                                  \
-  template CellSoup<D> soup_of<D>(const Mesh&);                                                \
-  template Body<D> make_body<D>(const Mesh&);                                                  \
-  template std::vector<std::array<double, D>> points_of<D>(const Body<D>&);                    \
-  template std::vector<HalfFacetId> locate<D>(const Body<D>&, std::span<const std::uint32_t>,  \
-                                              const std::string&);                             \
+#define CLEAVE_INSTANTIATE(D)                                                                 \
+  template CellSoup<D> soup_of<D>(const Mesh&);                                               \
+  template Body<D> make_body<D>(const Mesh&);                                                 \
+  template std::vector<std::array<double, D>> points_of<D>(const Body<D>&);                   \
+  template std::vector<HalfFacetId> locate<D>(const Body<D>&, std::span<const std::uint32_t>, \
+                                              const std::string&);                            \
   template SortedOut sort_out<D>(const topology::Complex<D>&, std::span<const HalfFacetId>);
 CLEAVE_INSTANTIATE(1)
 CLEAVE_INSTANTIATE(2)

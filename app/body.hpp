@@ -30,7 +30,8 @@ struct Body {
   /// The place in mesh->points of a vertex of `complex` as it was made.
   std::uint32_t place(topology::VertexId vertex) const {
     const std::size_t original = mesh->points.size();
-    return vertex.value < original ? vertex.value : regularized[vertex.value - original].parent.value;
+    return vertex.value < original ? vertex.value
+                                   : regularized[vertex.value - original].parent.value;
   }
 
   /// The file's number of a vertex of `complex` as it was made; of a copy, its parent's.
@@ -39,17 +40,17 @@ struct Body {
   }
 };
 
-/// The body of `mesh` (mesh.dimension == D), coherently oriented and regularised. Throws InputError,
-/// which names the cells by the file's numbers, if the mesh is no orientable pseudo-manifold of
-/// distinct sound cells, or has coordinates that are not finite. Time: linear.
+/// The body of `mesh` (mesh.dimension == D), coherently oriented and regularised. Throws
+/// InputError, which names the cells by the file's numbers, if the mesh is no orientable
+/// pseudo-manifold of distinct sound cells, or has coordinates that are not finite. Time: linear.
 template <int D>
 Body<D> make_body(const Mesh& mesh);
 
 /// Whether the points of `mesh` lie in one plane z = constant, so that D = 2 has an orientation.
 bool is_planar(const Mesh& mesh);
 
-/// D coordinates per vertex of the body's complex, copies at their parent's place. Throws InputError
-/// if D = 2 and the mesh is not planar (D = 1: the x coordinate).
+/// D coordinates per vertex of the body's complex, copies at their parent's place. Throws
+/// InputError if D = 2 and the mesh is not planar (D = 1: the x coordinate).
 template <int D>
 std::vector<std::array<double, static_cast<std::size_t>(D)>> points_of(const Body<D>& body);
 
@@ -70,7 +71,8 @@ struct SortedOut {
 template <int D>
 SortedOut sort_out(const topology::Complex<D>& k, std::span<const topology::HalfFacetId> facets);
 
-/// The facet group of `mesh` with this name. Throws InputError that lists the facet groups there are.
+/// The facet group of `mesh` with this name. Throws InputError that lists the facet groups there
+/// are.
 const Group& facet_group(const Mesh& mesh, const std::string& name);
 
 /// The vertices of a group's elements: dimension+1 places in mesh.points per element.

@@ -30,8 +30,7 @@ int check_meshes(const CheckOptions& options) {
       progress.stage("checking " + path);
       reports.push_back(check_mesh(mesh, options.required));
       progress.clear();
-      if (options.json != "-")
-        print(text_of(reports.back(), kShownPerRule, !options.quiet));
+      if (options.json != "-") print(text_of(reports.back(), kShownPerRule, !options.quiet));
       return reports.back().errors() == 0 ? kFine : kFindings;
     });
     status = std::max(status, outcome);
@@ -60,7 +59,8 @@ void add_check_command(CLI::App& cleave, Action& chosen) {
                    "pseudo-manifold, cut-regular (default), edge-regular or manifold")
       ->transform(CLI::CheckedTransformer(levels).description(""))
       ->option_text("LEVEL");
-  check->add_option("--json", options->json, "Write all findings to this file; - is standard output")
+  check
+      ->add_option("--json", options->json, "Write all findings to this file; - is standard output")
       ->option_text("FILE");
   check->add_flag("--quiet", options->quiet, "No progress bar and no summary; findings only");
   check->footer(

@@ -23,8 +23,13 @@ template <int D>
 CheckReport check_cells(const Mesh& mesh, topology::Level required) {
   const auto soup = soup_of<D>(mesh);
   const auto violations = topology::check(soup, topology::Level::manifold);
-  CheckReport report{mesh.source, D, soup.cells.size(), mesh.points.size(),
-                     topology::level_reached(D, violations), {}, topology::summarize(soup)};
+  CheckReport report{mesh.source,
+                     D,
+                     soup.cells.size(),
+                     mesh.points.size(),
+                     topology::level_reached(D, violations),
+                     {},
+                     topology::summarize(soup)};
   for (const auto& violation : violations)
     report.findings.push_back(finding_of(violation, mesh, required));
   for (Finding& finding : check_geometry(mesh)) report.findings.push_back(std::move(finding));
@@ -49,20 +54,21 @@ std::string text_of(const CheckReport& report, std::size_t at_most, bool summary
     const char* severity = finding.severity == Severity::error ? "error" : "warning";
     const std::size_t count = ++shown[finding.rule];
     if (count <= at_most)
-      text += fmt::format("{}: {}: {}: {}\n", report.source, severity, finding.rule,
-                          finding.message);
+      text +=
+          fmt::format("{}: {}: {}: {}\n", report.source, severity, finding.rule, finding.message);
     else if (count == of_rule[finding.rule])
       text += fmt::format("{}: {}: {}: {} more like these; --json lists them all\n", report.source,
                           severity, finding.rule, count - at_most);
   }
   if (!summary) return text;
   const std::size_t errors = report.errors(), warnings = report.findings.size() - errors;
-  return text + fmt::format("{}: dimension {}, {} cells, {} vertices, {} pieces, {} boundary "
-                            "components, Euler characteristic {}; level {}; {} errors, {} warnings\n",
-                            report.source, report.dimension, report.cells, report.vertices,
-                            report.topology.pieces, report.topology.boundary_components,
-                            report.topology.euler_characteristic, topology::name(report.level),
-                            errors, warnings);
+  return text + fmt::format(
+                    "{}: dimension {}, {} cells, {} vertices, {} pieces, {} boundary "
+                    "components, Euler characteristic {}; level {}; {} errors, {} warnings\n",
+                    report.source, report.dimension, report.cells, report.vertices,
+                    report.topology.pieces, report.topology.boundary_components,
+                    report.topology.euler_characteristic, topology::name(report.level), errors,
+                    warnings);
 }
 
 }  // namespace cleave::app

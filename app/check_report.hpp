@@ -13,8 +13,8 @@ struct CheckReport {
   std::string source;
   int dimension = 0;
   std::size_t cells = 0, vertices = 0;
-  topology::Level level{};         // the highest one reached
-  std::vector<Finding> findings;   // topology by kind, then geometry
+  topology::Level level{};        // the highest one reached
+  std::vector<Finding> findings;  // topology by kind, then geometry
   topology::Summary topology;
 
   /// How many findings are errors.
@@ -28,8 +28,8 @@ CheckReport check_mesh(const Mesh& mesh, topology::Level required);
 /// `at_most` and a line that counts the others; at the end, with `summary`, a line on the whole.
 std::string text_of(const CheckReport& report, std::size_t at_most, bool summary);
 
-/// The report as JSON (docs/schemas/cleave-check-1.schema.json): of one mesh an object, of several a
-/// list of objects in the order of the command line.
+/// The report as JSON (docs/schemas/cleave-check-1.schema.json): of one mesh an object, of several
+/// a list of objects in the order of the command line.
 std::string json_of(const std::vector<CheckReport>& reports);
 
 }  // namespace cleave::app

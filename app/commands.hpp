@@ -16,8 +16,8 @@ void add_check_command(CLI::App& cleave, Action& chosen);
 void add_cut_command(CLI::App& cleave, Action& chosen);
 
 /// Does `action` and turns what it throws into a message on stderr and an exit status: InputError,
-/// OutputError, too many cells and too little memory into kBadInput; anything else, which is a defect
-/// of ours, into kBroken.
+/// OutputError, too many cells and too little memory into kBadInput; anything else, which is a
+/// defect of ours, into kBroken.
 int guarded(const Action& action);
 
 /// Prints "cleave: warning: .." on stderr.

@@ -76,8 +76,9 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
   cut->add_option("MESH", options->mesh, "Mesh file: .mesh, .msh, .vtu, .vtk")
       ->required()
       ->option_text("FILE");
-  auto* out = cut->add_option("-o,--output", options->out, "The mesh to write, in any of these formats")
-                  ->option_text("OUT");
+  auto* out =
+      cut->add_option("-o,--output", options->out, "The mesh to write, in any of these formats")
+          ->option_text("OUT");
   add_request(*cut, *options);
 
   const std::map<std::string, topology::Verify> verify{{"none", topology::Verify::none},
@@ -89,9 +90,10 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
   cut->add_flag("--require-open", options->require_open, "Exit with 1 if a facet stays shut");
   cut->add_flag("--strict", options->strict,
                 "Refuse a mesh that is not cut-regular instead of regularising it");
-  cut->add_option("--verify", options->verify,
-                  "Verify nothing (none), what the cut touched (touched, default), or everything and "
-                  "certify the result (all)")
+  cut->add_option(
+         "--verify", options->verify,
+         "Verify nothing (none), what the cut touched (touched, default), or everything and "
+         "certify the result (all)")
       ->transform(CLI::CheckedTransformer(verify).description(""))
       ->option_text("WHAT");
   cut->add_option("--json", options->json, "Write the report to this file; - is standard output")

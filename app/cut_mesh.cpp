@@ -26,12 +26,15 @@ void report_regularized(const Body<D>& body, const CutOptions& options, CutResul
   if (vertices.empty()) return;
   const std::string which = listed({vertices.begin(), vertices.end()});
   if (options.strict)
-    throw InputError(fmt::format(
-        "{}: {} vertices are not cut-regular: {}; mend the mesh, or leave out --strict to give each "
-        "of their parts a copy", options.mesh, vertices.size(), which));
+    throw InputError(
+        fmt::format("{}: {} vertices are not cut-regular: {}; mend the mesh, or leave out --strict "
+                    "to give each "
+                    "of their parts a copy",
+                    options.mesh, vertices.size(), which));
   result.warnings.push_back(fmt::format(
       "{}: {} vertices are not cut-regular; each part of their cells beyond the first gets a copy "
-      "({} copies): {}", options.mesh, vertices.size(), body.regularized.size(), which));
+      "({} copies): {}",
+      options.mesh, vertices.size(), body.regularized.size(), which));
 }
 
 // The facets asked for by name, number or --all.
@@ -57,18 +60,19 @@ template <int D>
 NamedFacets sweep_through(const Body<D>& body, const CutOptions& options,
                           topology::Incision<D>& incision, CutResult& result) {
   if constexpr (D == 1) {
-    throw InputError(options.mesh + ": nothing can be swept through edges; use --facets, --group or "
-                                    "--all");
+    throw InputError(options.mesh +
+                     ": nothing can be swept through edges; use --facets, --group or "
+                     "--all");
   } else {
     const auto sweep = read_sweep<D>(options.sweep);
     auto points = points_of(body);
-    const auto stroke =
-        cutting::cut_along(incision, points, sweep, options.select, options.verify);
+    const auto stroke = cutting::cut_along(incision, points, sweep, options.select, options.verify);
     if (stroke.scored.empty())
-      result.warnings.push_back(options.sweep + ": the sweep selects no facet; does it meet the "
-                                                "body? Its coordinates are those of the mesh");
-    return {"cut", {stroke.scored.half_facets().begin(), stroke.scored.half_facets().end()},
-            nullptr};
+      result.warnings.push_back(options.sweep +
+                                ": the sweep selects no facet; does it meet the "
+                                "body? Its coordinates are those of the mesh");
+    return {
+        "cut", {stroke.scored.half_facets().begin(), stroke.scored.half_facets().end()}, nullptr};
   }
 }
 
@@ -93,7 +97,8 @@ std::vector<NamedFacets> cut(const Body<D>& body, const CutOptions& options,
   if (!sorted.boundary.empty())
     result.warnings.push_back(fmt::format(
         "{}: {} of the facets asked for are on the boundary already and are left alone, such as "
-        "({})", options.mesh, sorted.boundary.size(),
+        "({})",
+        options.mesh, sorted.boundary.size(),
         listed(facet_vertices(*body.mesh, sorted.boundary.front()))));
   if (facets.empty()) result.warnings.push_back(options.mesh + ": no facet was asked for");
   attempted = sorted.interior;
@@ -107,8 +112,7 @@ template <int D>
 void certify_output(const Body<D>& body, const topology::Incision<D>& incision, const Mesh& out) {
   const auto before = soup_of<D>(*body.mesh), after = soup_of<D>(out);
   const FacetSet scored = incision.scored();
-  const auto rejection =
-      topology::certify<D>(before.cells, scored.half_facets(), after.cells);
+  const auto rejection = topology::certify<D>(before.cells, scored.half_facets(), after.cells);
   if (rejection) throw topology::InvariantBroken("not certified: " + describe(*rejection));
 }
 
@@ -131,16 +135,17 @@ CutResult cut_cells(const Mesh& mesh, const CutOptions& options, Progress& progr
   } catch (const topology::InvariantBroken& e) {
     const auto path = (options.out.empty() ? "cleave" : options.out) + ".reproducer.json";
     write_reproducer(path, body.complex, incision.scored() | attempted, e.what());
-    throw topology::InvariantBroken(fmt::format("{}; {} has the cells and the facets", e.what(),
-                                                path));
+    throw topology::InvariantBroken(
+        fmt::format("{}; {} has the cells and the facets", e.what(), path));
   }
   for (const std::string& warning : output.warnings)
     result.warnings.push_back(options.mesh + ": " + warning);
   for (const OneSidedSheet& sheet : output.one_sided)
     result.warnings.push_back(fmt::format(
         "{}: the facets of {} form a sheet with one side only; its minus and plus sides change "
-        "places where this loop of {} facets closes, at facet ({})", options.mesh, sheet.name,
-        sheet.loop.size(), listed(facet_vertices(mesh, sheet.loop.front()))));
+        "places where this loop of {} facets closes, at facet ({})",
+        options.mesh, sheet.name, sheet.loop.size(),
+        listed(facet_vertices(mesh, sheet.loop.front()))));
   progress.stage("looking at the result");
   auto report = report_on(body, incision, output, options.explain);
   report.requested = result.report.requested;

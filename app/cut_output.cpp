@@ -49,7 +49,8 @@ void number_vertices(const Body<D>& body, Numbering numbering, CutOutput& output
     if (numbering == Numbering::from_one) number = i + 1;
     if (numbering != Numbering::kept) continue;
     if (vertex >= file.size() && next == std::numeric_limits<std::uint64_t>::max())
-      throw InputError(body.mesh->source + ": its largest vertex number leaves none for copies; "
+      throw InputError(body.mesh->source +
+                       ": its largest vertex number leaves none for copies; "
                        "renumber the vertices");
     number = vertex < file.size() ? file[vertex] : ++next;
   }
@@ -62,14 +63,15 @@ void warn_of_dropped(const Mesh& mesh, const std::vector<VertexId>& used, Number
     if (v.value < in_use.size()) in_use[v.value] = true;
   const auto dropped = std::count(in_use.begin(), in_use.end(), false);
   if (dropped == 0) return;
-  const auto first = static_cast<std::size_t>(
-      std::find(in_use.begin(), in_use.end(), false) - in_use.begin());
+  const auto first =
+      static_cast<std::size_t>(std::find(in_use.begin(), in_use.end(), false) - in_use.begin());
   output.warnings.push_back(fmt::format(
       "{} {} dropped, because no cell uses {} (the first is vertex {}){}", dropped,
       dropped == 1 ? "vertex is" : "vertices are", dropped == 1 ? "it" : "them",
       mesh.vertex_numbers[first],
-      numbering == Numbering::kept ? "" : "; vertices behind it are renumbered, since this format "
-                                          "numbers them by place"));
+      numbering == Numbering::kept ? ""
+                                   : "; vertices behind it are renumbered, since this format "
+                                     "numbers them by place"));
 }
 
 template <int D>

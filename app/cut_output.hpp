@@ -27,29 +27,31 @@ Numbering numbering_of(const std::filesystem::path& path);
 
 /// A sheet of opened facets that has only one side, such as a Moebius band.
 struct OneSidedSheet {
-  std::string name;                          // of its NamedFacets
-  std::vector<topology::HalfFacetId> loop;   // facets (lesser half-facets), each next to the one before
+  std::string name;  // of its NamedFacets
+  std::vector<topology::HalfFacetId>
+      loop;  // facets (lesser half-facets), each next to the one before
 };
 
 struct CutOutput {
   Mesh mesh;
   std::vector<topology::VertexId> vertex_at;  // of incision.complex(), for each of mesh.points
-  std::vector<std::uint64_t> number_of;       // in `mesh`, of each vertex of incision.complex(); 0 if
-                                              // it is not in use
+  std::vector<std::uint64_t> number_of;  // in `mesh`, of each vertex of incision.complex(); 0 if
+                                         // it is not in use
   std::vector<OneSidedSheet> one_sided;
-  std::vector<std::string> warnings;          // what was dropped or renumbered, one sentence each
+  std::vector<std::string> warnings;  // what was dropped or renumbered, one sentence each
 };
 
 /// The mesh of `incision`, made from `body`, as a file with this numbering holds it.
 /// - Cells keep their order, tuples, numbers and groups. Vertices keep their numbers (by place
-///   where the format numbers so); copies come last, in canonical order, numbered after the largest.
-///   Vertices that no cell uses are dropped.
+///   where the format numbers so); copies come last, in canonical order, numbered after the
+///   largest. Vertices that no cell uses are dropped.
 /// - Edges, vertices and facets of groups that were not asked for are there once for each copy.
 /// - A facet asked for that opened is there twice, in groups NAME_minus and NAME_plus; one that is
 ///   shut in NAME_shut. These replace the group NAME, which keeps only facets on the old boundary.
 ///   Which side is minus: see sides.hpp.
 /// - Point fields follow `parent`. Point data `parent` (number in body.mesh) and cell data `piece`
-///   (from 0, by least cell) and `group` (the least tag of the cell's groups; 0: none) are added for Numbering::from_zero.
+///   (from 0, by least cell) and `group` (the least tag of the cell's groups; 0: none) are added
+///   for Numbering::from_zero.
 /// The result is a function of the body and of what was asked for, not of the order of requests.
 /// Time: linear in the mesh.
 template <int D>

@@ -23,8 +23,7 @@ void check_result(const topology::Complex<D>& k, CutReport& report) {
   for (std::uint32_t c = 0; c < k.cell_count(); ++c)
     soup.signs.push_back(static_cast<std::int8_t>(k.sign({c})));
   const auto violations = topology::check(soup, topology::Level::edge_regular);
-  report.cut_regular =
-      topology::level_reached(D, violations) >= topology::Level::cut_regular;
+  report.cut_regular = topology::level_reached(D, violations) >= topology::Level::cut_regular;
   for (const auto& violation : violations)
     if (std::holds_alternative<topology::PinchedSimplex>(violation)) ++report.pinched_edges;
 }
@@ -56,8 +55,7 @@ CutReport report_on(const Body<D>& body, const Incision<D>& incision, const CutO
   report.pieces_after = topology::pieces(after).count;
   check_result(after, report);
   list_copies(body, incision, output, report);
-  report.vertices_before =
-      report.vertices_after - report.regularized.size() - report.splits.size();
+  report.vertices_before = report.vertices_after - report.regularized.size() - report.splits.size();
 
   for (const auto h : incision.shut().half_facets()) {
     auto& shut = report.shut_facets.emplace_back();

@@ -9,7 +9,8 @@ using Json = nlohmann::ordered_json;
 
 Json json_of(const std::vector<CutReport::Copy>& copies) {
   Json list = Json::array();
-  for (const auto& copy : copies) list.push_back({{"vertex", copy.vertex}, {"parent", copy.parent}});
+  for (const auto& copy : copies)
+    list.push_back({{"vertex", copy.vertex}, {"parent", copy.parent}});
   return list;
 }
 

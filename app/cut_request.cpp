@@ -118,7 +118,8 @@ cutting::Sweep<D> read_sweep(const std::filesystem::path& path) {
     return read_polyline(document["polyline"]);
   } else {
     if (document.has("polyline"))
-      document.fail("this mesh is three-dimensional, so what cuts it is a \"blade\" or \"triangles\"");
+      document.fail(
+          "this mesh is three-dimensional, so what cuts it is a \"blade\" or \"triangles\"");
     if (document.one_of({"blade", "triangles"}) == "blade") {
       document.only({"blade"});
       return read_blade(document["blade"]);

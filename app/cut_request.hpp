@@ -11,9 +11,9 @@
 /// file and the JSON pointer; a syntax error one with line and column.
 namespace cleave::app {
 
-/// The facets that a file {"facets": [[a, b, c], ..]} names by the numbers of `mesh`: as many places
-/// in mesh.points per facet as mesh.dimension. Throws InputError, also for a number that is no
-/// vertex of `mesh`.
+/// The facets that a file {"facets": [[a, b, c], ..]} names by the numbers of `mesh`: as many
+/// places in mesh.points per facet as mesh.dimension. Throws InputError, also for a number that is
+/// no vertex of `mesh`.
 std::vector<std::uint32_t> read_facets(const std::filesystem::path& path, const Mesh& mesh);
 
 /// A sweep: {"blade": [[p, q], ..]} or {"triangles": [[p, q, r], ..], "step_of_triangle": [..]} for

@@ -5,7 +5,9 @@
 namespace cleave::app {
 
 ElementBuilder::ElementBuilder(const Elements& before, int dimension)
-    : before_(before), corners_(static_cast<std::size_t>(dimension) + 1), stays_(before.size()),
+    : before_(before),
+      corners_(static_cast<std::size_t>(dimension) + 1),
+      stays_(before.size()),
       kept_(before.vertices) {}
 
 ElementBuilder::Handle ElementBuilder::add_image(std::uint32_t source,

@@ -17,7 +17,7 @@ std::uint32_t Renaming<D>::in_cell(CellId cell, std::uint32_t place) const {
 
 namespace {
 
-constexpr std::size_t kMost = 3;  // vertices of an element below the cells, at most
+constexpr std::size_t kMost = 3;                 // vertices of an element below the cells, at most
 using Tuple = std::array<std::uint32_t, kMost>;  // filled up with kNoPlace
 
 struct Keyed {

@@ -119,8 +119,12 @@ class FacetCarrier {
  public:
   FacetCarrier(const Renaming<D>& renaming, const topology::Incision<D>& incision,
                const std::vector<NamedFacets>& asked, CutOutput& output)
-      : renaming_(renaming), body_(*renaming.body), mesh_(*body_.mesh), cut_(renaming, incision),
-        output_(output), gives_way_(mesh_.facets().size()) {
+      : renaming_(renaming),
+        body_(*renaming.body),
+        mesh_(*body_.mesh),
+        cut_(renaming, incision),
+        output_(output),
+        gives_way_(mesh_.facets().size()) {
     for (const NamedFacets& named : asked) asked_.push_back(&named);
     // The order of the file, not that of the request; names from elsewhere come last.
     std::stable_sort(asked_.begin(), asked_.end(), [](const auto* a, const auto* b) {

@@ -62,8 +62,8 @@ struct Describer {
     return fmt::format("cell {} names a vertex that does not exist", cell(v.cell));
   }
   std::string operator()(const DuplicateCell& v) const {
-    return fmt::format("cells {} and {} have the same vertices ({})", cell(v.first),
-                       cell(v.second), listed(cell_vertices(mesh, v.first)));
+    return fmt::format("cells {} and {} have the same vertices ({})", cell(v.first), cell(v.second),
+                       listed(cell_vertices(mesh, v.first)));
   }
   std::string operator()(const FacetInThreeCells& v) const {
     std::vector<std::uint64_t> cells;
@@ -78,25 +78,30 @@ struct Describer {
   std::string operator()(const NonOrientable& v) const {
     std::vector<std::uint64_t> cells;
     for (const HalfFacetId h : v.loop) cells.push_back(cell(cell_of(mesh, h)));
-    return fmt::format("the cells cannot be oriented: the closed chain of {} cells {} comes back "
-                       "reversed", cells.size(), listed(cells));
+    return fmt::format(
+        "the cells cannot be oriented: the closed chain of {} cells {} comes back "
+        "reversed",
+        cells.size(), listed(cells));
   }
   std::string operator()(const NotCutRegular& v) const {
-    return fmt::format("the cells around vertex {} form {} parts that share no facet there, such as "
-                       "those of cells {} and {}",
-                       vertex(v.vertex), v.parts, cell(v.one_part), cell(v.other_part));
+    return fmt::format(
+        "the cells around vertex {} form {} parts that share no facet there, such as "
+        "those of cells {} and {}",
+        vertex(v.vertex), v.parts, cell(v.one_part), cell(v.other_part));
   }
   std::string operator()(const PinchedSimplex& v) const {
     std::vector<std::uint64_t> ends;
     for (const VertexId end : v.simplex) ends.push_back(vertex(end));
-    return fmt::format("the cells around edge ({}) form {} parts that share no facet there, such as "
-                       "those of cells {} and {}",
-                       listed(ends), v.parts, cell(v.one_part), cell(v.other_part));
+    return fmt::format(
+        "the cells around edge ({}) form {} parts that share no facet there, such as "
+        "those of cells {} and {}",
+        listed(ends), v.parts, cell(v.one_part), cell(v.other_part));
   }
   std::string operator()(const BadVertexLink& v) const {
-    return fmt::format("the surroundings of vertex {} are neither a ball nor a half-ball (its link "
-                       "has Euler characteristic {} and {} boundary components)",
-                       vertex(v.vertex), v.euler_characteristic, v.boundary_components);
+    return fmt::format(
+        "the surroundings of vertex {} are neither a ball nor a half-ball (its link "
+        "has Euler characteristic {} and {} boundary components)",
+        vertex(v.vertex), v.euler_characteristic, v.boundary_components);
   }
   std::string operator()(const OrphanVertex& v) const {
     return fmt::format("no cell uses vertex {}", vertex(v.vertex));

@@ -32,7 +32,8 @@ struct WitnessMaker {
             {"vertices", cell_vertices(mesh, v.first)}};
   }
   Witness operator()(const FacetInThreeCells& v) const {
-    return {{"facet", facet_vertices(mesh, v.half_facets.front())}, {"cells", cells(v.half_facets)}};
+    return {{"facet", facet_vertices(mesh, v.half_facets.front())},
+            {"cells", cells(v.half_facets)}};
   }
   Witness operator()(const OrientationConflict& v) const {
     return {{"facet", facet_vertices(mesh, v.one)}, {"cells", cells({v.one, v.other})}};

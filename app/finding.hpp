@@ -14,9 +14,9 @@ enum class Severity { warning, error };
 
 /// What a witness is made of: a number of the file, a list of them, a list of lists, a measure, or
 /// a word.
-using WitnessValue = std::variant<std::int64_t, std::uint64_t, double, std::string,
-                                  std::vector<std::uint64_t>,
-                                  std::vector<std::vector<std::uint64_t>>>;
+using WitnessValue =
+    std::variant<std::int64_t, std::uint64_t, double, std::string, std::vector<std::uint64_t>,
+                 std::vector<std::vector<std::uint64_t>>>;
 
 /// One thing that is wrong with a mesh: a witness first, a message second.
 struct Finding {

@@ -51,9 +51,8 @@ struct Corners {
     if (dimension == 1) return 1;
     const double base = length(cross(q[1], q[2]));
     if (dimension == 2) return base;  // over the longest edge, which is 1
-    const double largest =
-        std::max({base, length(cross(q[1], q[3])), length(cross(q[2], q[3])),
-                  length(cross(minus(q[2], q[1]), minus(q[3], q[1])))});
+    const double largest = std::max({base, length(cross(q[1], q[3])), length(cross(q[2], q[3])),
+                                     length(cross(minus(q[2], q[1]), minus(q[3], q[1])))});
     const Vector n = cross(q[1], q[2]);
     return largest == 0 ? 0 : std::abs(n[0] * q[3][0] + n[1] * q[3][1] + n[2] * q[3][2]) / largest;
   }
@@ -65,16 +64,19 @@ struct Corners {
 Finding not_finite(const Mesh& mesh, std::uint32_t v, std::size_t axis) {
   const std::string name(1, "xyz"[axis]);
   const double value = mesh.points[v][axis];
-  return {"not-finite", Severity::error,
-          fmt::format("vertex {} has {} = {}", mesh.vertex_numbers[v], name, value),
-          {{"vertex", mesh.vertex_numbers[v]}, {"axis", name}, {"value", fmt::format("{}", value)}}};
+  return {
+      "not-finite",
+      Severity::error,
+      fmt::format("vertex {} has {} = {}", mesh.vertex_numbers[v], name, value),
+      {{"vertex", mesh.vertex_numbers[v]}, {"axis", name}, {"value", fmt::format("{}", value)}}};
 }
 
 Finding about_cell(const Mesh& mesh, std::uint32_t cell, const char* rule, double height) {
   const auto number = cell_number(mesh, {cell});
   const auto vertices = cell_vertices(mesh, {cell});
   const bool flat = std::string_view(rule) == "flat-cell";
-  return {rule, Severity::error,
+  return {rule,
+          Severity::error,
           flat ? fmt::format("cell {} ({}) is flat: its least height is {:.3g} of its longest edge",
                              number, listed(vertices), height)
                : fmt::format("cell {} ({}) is inverted: its vertices are in mirrored order", number,

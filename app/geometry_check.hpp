@@ -5,8 +5,8 @@
 
 namespace cleave::app {
 
-/// A cell whose least height is below this part of its longest edge counts as flat: what is computed
-/// from its shape in double precision has few right digits left.
+/// A cell whose least height is below this part of its longest edge counts as flat: what is
+/// computed from its shape in double precision has few right digits left.
 constexpr double kFlatHeight = 1e-10;
 
 /// What is wrong with the coordinates of `mesh`, each rule by ascending number:

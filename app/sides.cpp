@@ -24,8 +24,8 @@ struct RidgeSide {
   }
 };
 
-// A facet on the other side of a ridge of exactly two. `same`: the lesser half-facets of both lie on
-// the same side of the sheet, which is so when they induce opposite orientations on the ridge.
+// A facet on the other side of a ridge of exactly two. `same`: the lesser half-facets of both lie
+// on the same side of the sheet, which is so when they induce opposite orientations on the ridge.
 struct Neighbour {
   std::uint32_t facet;
   bool same;

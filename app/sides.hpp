@@ -9,7 +9,8 @@ namespace cleave::app {
 /// Which side of each opened facet is its minus side.
 struct Sides {
   std::vector<topology::HalfFacetId> minus;  // per facet: one of its two half-facets
-  std::vector<std::vector<topology::HalfFacetId>> one_sided;  // per one-sided sheet: a loop of facets
+  std::vector<std::vector<topology::HalfFacetId>>
+      one_sided;  // per one-sided sheet: a loop of facets
 };
 
 /// Chooses sides for interior facets of `k`, the complex before the cut; `facets` are their lesser
