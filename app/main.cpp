@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   Action chosen;
   add_check_command(cleave, chosen);
   add_cut_command(cleave, chosen);
+  add_run_command(cleave, chosen);
   try {
     cleave.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
