@@ -78,9 +78,10 @@ template <int D>
 void carry_fields(const Body<D>& body, const Incision<D>& incision, Numbering numbering,
                   CutOutput& output) {
   const Mesh& mesh = *body.mesh;
-  Field parent{"parent", 1, {}};
+  Field parent{"parent", 1, {}, true};
   for (const Field& field : mesh.point_fields) {
-    Field& carried = output.mesh.point_fields.emplace_back(Field{field.name, field.components, {}});
+    Field& carried = output.mesh.point_fields.emplace_back(
+        Field{field.name, field.components, {}, field.integer});
     const auto width = static_cast<std::size_t>(field.components);
     for (const VertexId v : output.vertex_at) {
       const auto from = field.values.begin() +
@@ -94,8 +95,8 @@ void carry_fields(const Body<D>& body, const Incision<D>& incision, Numbering nu
     parent.values.push_back(static_cast<double>(body.number(incision.original(v))));
   set_field(output.mesh.point_fields, std::move(parent));
   const auto pieces = topology::pieces(incision.complex());
-  set_field(output.mesh.cell_fields, {"piece", 1, {pieces.of_cell.begin(), pieces.of_cell.end()}});
-  set_field(output.mesh.cell_fields, {"group", 1, cell_tags(mesh)});
+  set_field(output.mesh.cell_fields,
+            {"piece", 1, {pieces.of_cell.begin(), pieces.of_cell.end()}, true});
 }
 
 }  // namespace

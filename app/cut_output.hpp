@@ -50,8 +50,7 @@ struct CutOutput {
 ///   shut in NAME_shut. These replace the group NAME, which keeps only facets on the old boundary.
 ///   Which side is minus: see sides.hpp.
 /// - Point fields follow `parent`. Point data `parent` (number in body.mesh) and cell data `piece`
-///   (from 0, by least cell) and `group` (the least tag of the cell's groups; 0: none) are added
-///   for Numbering::from_zero.
+///   (from 0, by least cell) are added for Numbering::from_zero.
 /// The result is a function of the body and of what was asked for, not of the order of requests.
 /// Time: linear in the mesh.
 template <int D>

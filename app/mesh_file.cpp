@@ -91,8 +91,13 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
   const GroupIntegers integers = write_format(file, format, mesh);
   const std::string names = integers.to_json();
   if (!names.empty()) {
-    write_file(groups_path(path), names);
-  } else if (format != Format::kGmsh) {
+    OutputFile groups(groups_path(path));
+    groups.write(names);
+    file.commit();  // first: without the mesh there is nothing to describe
+    groups.commit();
+    return;
+  }
+  if (format != Format::kGmsh) {
     std::error_code error;
     std::filesystem::remove(groups_path(path), error);
     if (error)

@@ -1,4 +1,6 @@
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "command_support.hpp"
 #include "mesh_file.hpp"
@@ -83,28 +85,53 @@ TEST_F(Liver, CutsWhatTheNearestVertexRuleSelects) {
   EXPECT_GT(r["facets"]["requested"], 20);
 }
 
-TEST_F(Liver, KeepsItsSurfaceAndLabels) {
-  cut({liver(), "-o", "cut.mesh", "--all"});
-  const Mesh before = read_mesh(liver()), after = read_mesh(folder_ / "cut.mesh");
-  std::size_t boundary = 0;
-  for (const Group& group : before.groups)
-    for (const Group& other : after.groups)
-      if (other.dimension == group.dimension && other.name == group.name && group.dimension >= 2) {
-        EXPECT_EQ(other.elements.size(), group.elements.size()) << group.name;
-        ++boundary;
-      }
-  EXPECT_GE(boundary, 2u);
+// Of each element of a group: how many cells have it as a facet.
+std::size_t sides(const Mesh& mesh, const Group& group) {
+  std::map<std::set<std::uint32_t>, std::size_t> cells_at;
+  for (std::size_t c = 0; c < mesh.cells().size(); ++c)
+    for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+      std::set<std::uint32_t> facet;
+      for (std::size_t i = 0; i < 4; ++i)
+        if (i != left_out) facet.insert(mesh.cells().vertices[4 * c + i]);
+      ++cells_at[facet];
+    }
+  std::size_t total = 0;
+  for (const auto e : group.elements) {
+    const auto* vertices = &mesh.facets().vertices[3 * std::size_t{e}];
+    total += cells_at[{vertices[0], vertices[1], vertices[2]}];
+  }
+  return total;
 }
 
-TEST_F(Liver, CutByAGroupOfItsOwnSurfaceOpensNothing) {
+TEST_F(Liver, KeepsItsLabelsAndBothSidesOfTheSurfacesBetweenThem) {
+  cut({liver(), "-o", "cut.mesh", "--all"});
+  const Mesh before = read_mesh(liver()), after = read_mesh(folder_ / "cut.mesh");
+  std::size_t compared = 0;
+  for (const Group& group : before.groups)
+    for (const Group& other : after.groups) {
+      if (other.dimension != group.dimension || other.name != group.name || group.dimension < 2)
+        continue;
+      EXPECT_EQ(other.elements.size(),
+                group.dimension == 3 ? group.elements.size() : sides(before, group));
+      ++compared;
+    }
+  EXPECT_EQ(compared, 6u);  // three labels, of facets and of cells
+}
+
+TEST_F(Liver, ScoresEachInteriorFacetOfALabelOnce) {
   const Mesh mesh = read_mesh(liver());
-  std::string surface;
-  for (const Group& group : mesh.groups)
-    if (group.dimension == 2 && surface.empty()) surface = group.name;
-  ASSERT_FALSE(surface.empty());
-  const json r = cut({liver(), "-o", "cut.mesh", "--group", surface});
-  EXPECT_EQ(r["facets"]["opened"].get<int>() + r["facets"]["shut"].get<int>(),
-            r["facets"]["requested"]);
+  std::size_t labels = 0;
+  for (const Group& group : mesh.groups) {
+    if (group.dimension != 2) continue;
+    const json r = cut({liver(), "-o", "cut.mesh", "--group", group.name});
+    // An interior facet has two sides, one on the boundary has one.
+    EXPECT_EQ(r["facets"]["requested"], sides(mesh, group) - group.elements.size());
+    EXPECT_EQ(r["facets"]["not_interior"], 2 * group.elements.size() - sides(mesh, group));
+    EXPECT_EQ(r["facets"]["opened"].get<int>() + r["facets"]["shut"].get<int>(),
+              r["facets"]["requested"]);
+    ++labels;
+  }
+  EXPECT_EQ(labels, 3u);
 }
 
 }  // namespace
