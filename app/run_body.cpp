@@ -22,6 +22,14 @@ std::string describe_flaw(const fem::BodyFlaw& flaw, const Mesh& mesh) {
   return fem::describe(flaw);
 }
 
+std::vector<topology::PinchedSimplex> pinched_in(const topology::CellSoup<3>& soup) {
+  std::vector<topology::PinchedSimplex> found;
+  for (const auto& violation : topology::check(soup, topology::Level::edge_regular))
+    if (const auto* pinched = std::get_if<topology::PinchedSimplex>(&violation))
+      found.push_back(*pinched);
+  return found;
+}
+
 }  // namespace
 
 std::size_t used_vertices(const Mesh& mesh) {
@@ -37,24 +45,24 @@ std::size_t used_vertices(const topology::Complex<3>& k) {
   return count;
 }
 
-std::vector<PinchedEdge> pinched_edges(const Body<3>& body, const topology::Incision<3>& incision) {
-  const topology::Complex<3>& k = incision.complex();
+std::vector<PinchedEdge> pinched_edges(const Mesh& mesh) {
+  const auto cell_number = [&](topology::CellId c) { return mesh.cells().numbers[c.value]; };
+  std::vector<PinchedEdge> edges;
+  for (const auto& pinched : pinched_in(soup_of<3>(mesh)))
+    edges.push_back({{mesh.vertex_numbers[pinched.simplex[0].value],
+                      mesh.vertex_numbers[pinched.simplex[1].value]},
+                     cell_number(pinched.one_part),
+                     cell_number(pinched.other_part)});
+  return edges;
+}
+
+std::size_t count_pinched_edges(const topology::Complex<3>& k) {
   topology::CellSoup<3> soup;
   soup.cells.assign(k.cells().begin(), k.cells().end());
   soup.vertex_count = k.vertex_count();
   for (std::uint32_t c = 0; c < k.cell_count(); ++c)
     soup.signs.push_back(static_cast<std::int8_t>(k.sign({c})));
-  const auto cell_number = [&](topology::CellId c) { return body.mesh->cells().numbers[c.value]; };
-  std::vector<PinchedEdge> edges;
-  for (const auto& violation : topology::check(soup, topology::Level::edge_regular)) {
-    const auto* pinched = std::get_if<topology::PinchedSimplex>(&violation);
-    if (!pinched) continue;
-    edges.push_back({{body.number(incision.original(pinched->simplex[0])),
-                      body.number(incision.original(pinched->simplex[1]))},
-                     cell_number(pinched->one_part),
-                     cell_number(pinched->other_part)});
-  }
-  return edges;
+  return pinched_in(soup).size();
 }
 
 std::vector<RegularizedVertex> regularized_vertices(const Body<3>& body) {

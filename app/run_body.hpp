@@ -5,7 +5,7 @@
 
 #include "body.hpp"
 #include "cleave/fem/body.hpp"
-#include "cleave/topology/incision.hpp"
+#include "cleave/topology/complex.hpp"
 #include "run_report.hpp"
 
 /// What a run reports about its body.
@@ -15,9 +15,12 @@ namespace cleave::app {
 std::size_t used_vertices(const Mesh& mesh);
 std::size_t used_vertices(const topology::Complex<3>& k);
 
-/// The edges whose cells fall into several parts, in the numbers of the file; a copy of a vertex
-/// counts as its parent. Time: O(n log n) in the cells.
-std::vector<PinchedEdge> pinched_edges(const Body<3>& body, const topology::Incision<3>& incision);
+/// The edges of the file whose cells fall into several parts. Requires sound cells. Time: O(n log n)
+/// in the cells.
+std::vector<PinchedEdge> pinched_edges(const Mesh& mesh);
+
+/// How many such edges `k` has. Time: O(n log n) in the cells.
+std::size_t count_pinched_edges(const topology::Complex<3>& k);
 
 /// What regularisation split, copies in the numbering of the .vtu files, which leaves out vertices
 /// that no cell uses.

@@ -25,7 +25,7 @@ std::string material_name(const MaterialSpec& material) {
 PageFinding regularised(const Body<3>& body) {
   PageFinding finding{"Regularised vertices", {}};
   for (const auto& split : body.regularized)
-    finding.marks.push_back({fmt::format("vertex {}: its cells hung together only here; copied",
+    finding.marks.push_back({fmt::format("vertex {}",
                                          body.mesh->vertex_numbers[split.parent.value]),
                              {split.vertex.value}});
   return finding;

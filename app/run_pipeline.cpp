@@ -120,8 +120,7 @@ void Run::build_complex() {
   report().has_complex = true;
   report().cut_regular = body_.regularized.empty();
   report().pieces = topology::pieces(body_.complex).count;
-  report().pinched_edges =
-      parts_.build("pinched-edge check", [&] { return pinched_edges(body_, *incision_); });
+  report().pinched_edges = parts_.build("pinched-edge check", [&] { return pinched_edges(mesh_); });
   report().regularized = regularized_vertices(body_);
   for (const auto& split : body_.regularized)
     report().warnings.push_back(fmt::format(
@@ -164,7 +163,7 @@ void Run::stroke(std::size_t i) {
   stroke.new_vertices = made.change.splits.size();
   stroke.pieces_after = topology::pieces(incision_->complex()).count;
   stroke.pinched_edges =
-      parts_.build("pinched-edge check", [&] { return pinched_edges(body_, *incision_); }).size();
+      parts_.build("pinched-edge check", [&] { return count_pinched_edges(incision_->complex()); });
   warn_of(stroke, report().warnings);
   opened_by_stroke_.push_back(made.change.opened);
 

@@ -89,7 +89,7 @@ struct RunReport {
   bool cut_regular = false;         // the mesh, before regularisation
   std::size_t pieces = 0;           // at rest
   std::vector<RegularizedVertex> regularized;
-  std::vector<PinchedEdge> pinched_edges;  // at rest
+  std::vector<PinchedEdge> pinched_edges;  // of the file, before regularisation
   std::vector<StrokeReport> strokes;
   std::vector<SolveReport> solves;
   std::vector<StateReport> states;
