@@ -102,8 +102,11 @@ class Run {
     a_(p_, q_);
     const double p_norm = p_.norm(), q_norm = q_.norm();
     const double curvature = p_.dot(q_);
-    if (const Sign sign = sign_of_product(curvature, p_norm, q_norm); sign != Sign::positive)
-      return outcome_of(sign);
+    const Sign sign = sign_of_product(curvature, p_norm, q_norm);
+    // No curvature, yet A p is not zero: that happens to no semidefinite matrix.
+    if (sign == Sign::rounding && q_norm > 1e-6 * largest_stretch_ * p_norm)
+      return Outcome::indefinite;
+    if (sign != Sign::positive) return outcome_of(sign);
     const double alpha = rho_ / curvature;
     x_ += alpha * p_;
     r_ -= alpha * q_;
@@ -181,19 +184,20 @@ class Run {
   }
 
   CgResult finish_at(Outcome outcome) {
+    double norm = 0.0;
     if (outcome != Outcome::not_finite) {
       r_ = true_residual();
       r_norm_ = r_.norm();
       result_.samples.back().residual = r_norm_ / b_norm_;
-      const double norm = energy_norm();
-      for (Sample& sample : result_.samples) {
-        if (!sample.energy_error) continue;
-        if (norm > 0.0)
-          result_.energy_error = *sample.energy_error /= norm;
-        else
-          sample.energy_error.reset();
-      }
-      result_.energy_norm = scale_ * norm;
+      norm = energy_norm();
+    }
+    result_.energy_norm = scale_ * norm;
+    for (Sample& sample : result_.samples) {
+      if (!sample.energy_error) continue;
+      if (norm > 0.0)
+        result_.energy_error = *sample.energy_error /= norm;
+      else
+        sample.energy_error.reset();
     }
     return finish(outcome, scale_ * x_);
   }

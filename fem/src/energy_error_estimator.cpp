@@ -6,7 +6,7 @@ namespace cleave::fem {
 
 const std::vector<EnergyErrorEstimator::Estimate>& EnergyErrorEstimator::add(double decrease) {
   constexpr double kTolerance = 0.25;  // of what the window leaves out, against the window
-  constexpr double kMemory = 1e4;      // fall of the squared error over which the factor looks back
+  constexpr double kMemory = 1e12;     // fall of the squared error over which the factor looks back
 
   closed_.clear();
   decreases_.push_back(decrease);

@@ -10,7 +10,10 @@ namespace cleave::fem {
 /// decreases from j on is a lower bound of the squared error of iterate j. It is close once what is
 /// left, the squared error of the newest iterate, is small against it. That rest is estimated as
 /// the newest decrease times a safety factor: the largest ratio of known error to decrease over
-/// those last steps in which the error fell by no more than a factor 1e4 (in squares).
+/// those last steps in which the squared error fell by no more than a factor 1e12. (The paper looks
+/// back over 1e4. Bodies of stiff and soft parts have longer plateaus: for layers with a contrast
+/// of 1e6 estimates were off by up to 706 with 1e4, 36 with 1e8 and 1.4 with 1e12; on bodies of one
+/// material the longer memory costs one iteration in ten of delay.)
 class EnergyErrorEstimator {
  public:
   /// The squared estimate of one iterate.

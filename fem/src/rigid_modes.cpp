@@ -1,6 +1,5 @@
 #include "cleave/fem/rigid_modes.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <algorithm>
 

@@ -1,6 +1,5 @@
 #include "cleave/fem/solve.hpp"
 
-#include <Eigen/Geometry>
 #include <chrono>
 #include <cmath>
 #include <memory>
