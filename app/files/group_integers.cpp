@@ -17,15 +17,20 @@ using nlohmann::json;
 
 constexpr const char* kFormat = "cleave-groups/1";
 
-/// One integer of a group file, with messages that name the place.
-std::int32_t integer_in(const json& object, const char* key, const std::string& place) {
-  const auto value = object.find(key);
-  if (value == object.end() || !value->is_number_integer())
-    throw InputError(place + ": needs the integer '" + key + "'");
-  const auto wide = value->get<std::int64_t>();
+/// A 32-bit integer of a group file, with messages that name the place.
+std::int32_t integer_of(const json& value, const char* key, const std::string& place) {
+  if (!value.is_number_integer())
+    throw InputError(place + ": '" + key + "' must be an integer or list integers");
+  const auto wide = value.get<std::int64_t>();
   if (wide < INT32_MIN || wide > INT32_MAX)
     throw InputError(place + ": '" + key + "' has more than 32 bits");
   return static_cast<std::int32_t>(wide);
+}
+
+std::int32_t integer_in(const json& object, const char* key, const std::string& place) {
+  const auto value = object.find(key);
+  if (value == object.end()) throw InputError(place + ": needs the integer '" + key + "'");
+  return integer_of(*value, key, place);
 }
 
 int dimension_in(const json& object, const std::string& place) {
@@ -77,8 +82,7 @@ void apply_overlap(Groups& groups, const json& overlap, const std::string& place
   const auto elements = std::move(found->second.elements);
   groups.erase(found);
   for (const json& tag : list_in(overlap, "groups", place)) {
-    if (!tag.is_number_integer()) throw InputError(place + ": 'groups' must list integers");
-    auto& all = group_of(groups, dimension, tag.get<std::int32_t>()).elements;
+    auto& all = group_of(groups, dimension, integer_of(tag, "groups", place)).elements;
     all.insert(all.end(), elements.begin(), elements.end());
   }
 }

@@ -126,9 +126,9 @@ void read_msh41_elements(const InputText& text, const MshSection& section,
     const Block block = read_block(rows, "the type of elements", "the number of elements");
     const int dimension = msh_dimension(block.row, block.kind, std::nullopt);
     const auto known = groups.find({block.dimension, block.entity});
-    if (entities != nullptr && (known == groups.end() || dimension != block.dimension))
-      block.row.fail("$Entities describes no entity of dimension " + std::to_string(dimension) +
-                     " with number " + std::to_string(block.entity));
+    if (dimension != block.dimension)
+      block.row.fail("elements of dimension " + std::to_string(dimension) +
+                     " in an entity of dimension " + std::to_string(block.dimension));
     for (std::size_t i = 0; i < block.count; ++i) {
       Row row = rows.next("an element");
       const auto number = row.number<std::uint64_t>("the number of an element");

@@ -74,7 +74,8 @@ std::int32_t msh_physical_tag(Row& row);
 void read_msh22_nodes(const InputText& text, const MshSection& section, MshContent& content);
 void read_msh22_elements(const InputText& text, const MshSection& section, MshContent& content);
 
-/// `entities` may be null: then no element has a group.
+/// `entities` may be null; elements of entities that it does not describe have no group (meshio
+/// writes such files).
 void read_msh41_nodes(const InputText& text, const MshSection& section, MshContent& content);
 void read_msh41_elements(const InputText& text, const MshSection& section,
                          const MshSection* entities, MshContent& content);

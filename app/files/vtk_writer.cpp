@@ -146,6 +146,7 @@ std::string legacy_bytes(vtkUnstructuredGrid& grid) {
   writer->SetInputData(&grid);
   writer->SetFileTypeToBinary();
   writer->SetHeader("unstructured grid");
+  writer->SetFileVersion(vtkUnstructuredGridWriter::VTK_LEGACY_READER_VERSION_4_2);
   writer->WriteToOutputStringOn();
   writer->Write();
   return writer->GetOutputStdString();

@@ -1,0 +1,187 @@
+// gmsh and meshio must read what we write, and we what they write. Both must be installed.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <sstream>
+
+#include "files_support.hpp"
+#include "mesh_file.hpp"
+
+namespace cleave::app::test {
+namespace {
+
+/// The mesh as files_oracle.py prints it.
+std::string dump(const Mesh& mesh) {
+  std::ostringstream out;
+  for (const auto& point : mesh.points) {
+    out << "point";
+    for (const double x : point) {
+      char bits[17];
+      std::snprintf(bits, sizeof bits, "%016llx",
+                    static_cast<unsigned long long>(std::bit_cast<std::uint64_t>(x)));
+      out << ' ' << bits;
+    }
+    out << '\n';
+  }
+  for (std::size_t d = 0; d <= 3; ++d) {
+    const Elements& elements = mesh.elements[d];
+    std::vector<std::int32_t> tags(elements.size(), 0);
+    for (const Group& group : mesh.groups)
+      if (group.dimension == static_cast<int>(d))
+        for (const std::uint32_t e : group.elements) tags[e] = group.tag;
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      out << d;
+      for (std::size_t k = 0; k <= d; ++k) out << ' ' << elements.vertices[(d + 1) * e + k];
+      out << ' ' << tags[e] << '\n';
+    }
+  }
+  return out.str();
+}
+
+/// The grouped mesh without overlapping groups, which meshio does not know.
+Mesh plainly_grouped_mesh() {
+  Mesh mesh = grouped_mesh();
+  mesh.groups = {{"nail", 0, 7, {0, 1}},  {"rim", 1, 3, {0, 2}}, {"5", 1, 5, {1}},
+                 {"cut", 2, 4, {0}},      {"skin", 2, 9, {1}},   {"1", 3, 1, {0, 2}},
+                 {"left lobe", 3, 2, {1}}};
+  return mesh;
+}
+
+/// Elements by number, with their vertices' numbers and the names of their groups: what a tool may
+/// not change when it only converts a file.
+std::map<std::uint64_t, std::string> by_number(const Mesh& mesh) {
+  std::map<std::uint64_t, std::string> all;
+  for (std::size_t d = 0; d <= 3; ++d) {
+    const Elements& elements = mesh.elements[d];
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      std::string& text = all[elements.numbers[e]];
+      for (std::size_t k = 0; k <= d; ++k)
+        text += std::to_string(mesh.vertex_numbers[elements.vertices[(d + 1) * e + k]]) + " ";
+      for (const Group& group : mesh.groups)
+        if (group.dimension == static_cast<int>(d) &&
+            std::count(group.elements.begin(), group.elements.end(), e) > 0)
+          text += "'" + group.name + "' ";
+    }
+  }
+  return all;
+}
+
+std::map<std::uint64_t, std::array<double, 3>> points_by_number(const Mesh& mesh) {
+  std::map<std::uint64_t, std::array<double, 3>> all;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) all[mesh.vertex_numbers[v]] = mesh.points[v];
+  return all;
+}
+
+class Oracle : public Files {
+ protected:
+  void run(const std::string& command) const {
+    const std::string log = path("log").string();
+    ASSERT_EQ(std::system((command + " 2> " + log).c_str()), 0) << command << "\n" << bytes("log");
+  }
+  void meshio(const std::string& arguments) const {
+    run("/usr/bin/python3 " CLEAVE_MESH_ORACLE " " + arguments);
+  }
+  void gmsh(const std::string& arguments) const { run("gmsh -v 2 " + arguments); }
+  std::string at(const std::string& name) const { return path(name).string(); }
+};
+
+TEST_F(Oracle, MeshioReadsWhatWeWrite) {
+  Mesh mesh = plainly_grouped_mesh();
+  for (const std::string name : {"a.mesh", "22.msh", "41.msh", "a.vtu", "a.vtk"}) {
+    SCOPED_TRACE(name);
+    mesh.msh_version = name == "22.msh" ? MshVersion::k22 : MshVersion::k41;
+    write_mesh(path(name), mesh);
+    ASSERT_NO_FATAL_FAILURE(meshio("dump " + at(name) + " > " + at("dump")));
+    EXPECT_EQ(bytes("dump"), dump(mesh));
+  }
+}
+
+TEST_F(Oracle, WeReadWhatMeshioWrites) {
+  ASSERT_NO_FATAL_FAILURE(meshio("make " + at("")));
+  for (const char* name :
+       {"a.mesh", "22.msh", "zlib.vtu", "raw.vtu", "42.vtk", "text.vtk", "51.vtk"}) {
+    SCOPED_TRACE(name);
+    Mesh mesh = read_mesh(path(name));
+    if (name == std::string("a.mesh")) {  // meshio gives every vertex the reference 1
+      EXPECT_EQ(mesh.elements[0].size(), mesh.points.size());
+      mesh.elements[0] = {};
+    }
+    EXPECT_EQ(dump(mesh), bytes("expected"));
+  }
+  // meshio describes only some entities of a 4.1 file, and loses groups with the others.
+  Mesh mesh = read_mesh(path("22.msh"));
+  Mesh without_groups = read_mesh(path("41.msh"));
+  mesh.groups.clear();
+  without_groups.groups.clear();
+  EXPECT_EQ(dump(without_groups), dump(mesh));
+}
+
+TEST_F(Oracle, GmshKeepsWhatWeWrite) {
+  for (const MshVersion version : {MshVersion::k22, MshVersion::k41}) {
+    Mesh mesh = grouped_mesh();
+    mesh.vertex_numbers = {10, 2, 35, 4, 50, 6};
+    mesh.msh_version = version;
+    write_mesh(path("ours.msh"), mesh);
+    for (const char* format : {"msh41", "msh22"}) {
+      SCOPED_TRACE(format);
+      ASSERT_NO_FATAL_FAILURE(
+          gmsh(at("ours.msh") + " -save -save_all -format " + format + " -o " + at("theirs.msh")));
+      const Mesh theirs = read_mesh(path("theirs.msh"));
+      EXPECT_EQ(points_by_number(theirs), points_by_number(mesh));
+      if (version == MshVersion::k41) {
+        EXPECT_EQ(by_number(theirs), by_number(mesh));
+      }
+    }
+  }
+}
+
+TEST_F(Oracle, GmshReadsOurMeditFile) {
+  Mesh mesh = plainly_grouped_mesh();
+  write_mesh(path("ours.mesh"), mesh);
+  ASSERT_NO_FATAL_FAILURE(
+      gmsh(at("ours.mesh") + " -save -save_all -format msh41 -o " + at("theirs.msh")));
+  const Mesh theirs = read_mesh(path("theirs.msh"));
+  EXPECT_EQ(points_by_number(theirs), points_by_number(mesh));
+  for (std::size_t d = 1; d <= 3; ++d)
+    EXPECT_EQ(theirs.elements[d].size(), mesh.elements[d].size()) << d;
+}
+
+TEST_F(Oracle, WeReadWhatGmshWrites) {
+  put("box.geo",
+      "SetFactory(\"Built-in\");\n"
+      "Point(1) = {0, 0, 0, 0.6};\n"
+      "a[] = Extrude {1, 0, 0} { Point{1}; };\n"
+      "b[] = Extrude {0, 1, 0} { Line{a[1]}; };\n"
+      "c[] = Extrude {0, 0, 1} { Surface{b[1]}; };\n"
+      "Physical Volume(\"body\", 1) = {c[1]};\n"
+      "Physical Volume(\"again\", 2) = {c[1]};\n"
+      "Physical Surface(\"floor\", 3) = {b[1]};\n"
+      "Physical Curve(\"edge\", 4) = {a[1]};\n"
+      "Physical Point(\"corner\", 5) = {1};\n");
+  ASSERT_NO_FATAL_FAILURE(gmsh("-3 -format msh41 " + at("box.geo") + " -o " + at("41.msh")));
+  const Mesh mesh = read_mesh(path("41.msh"));
+  ASSERT_EQ(mesh.groups.size(), 5u);
+  EXPECT_EQ(mesh.groups[0].name, "corner");
+  EXPECT_EQ(mesh.groups[0].elements.size(), 1u);
+  EXPECT_EQ(mesh.groups[2].name, "floor");
+  EXPECT_EQ(mesh.groups[2].elements.size(), mesh.elements[2].size());
+  EXPECT_EQ(mesh.groups[3].elements.size(), mesh.cells().size());
+  EXPECT_EQ(mesh.groups[4].elements, mesh.groups[3].elements);
+  EXPECT_GT(mesh.cells().size(), 20u);
+  for (const char* format : {"msh22", "mesh", "vtk"}) {
+    SCOPED_TRACE(format);
+    const std::string name = format == std::string("msh22") ? "22.msh" : std::string("a.") + format;
+    ASSERT_NO_FATAL_FAILURE(gmsh(at("41.msh") + " -save -format " + format + " -o " + at(name)));
+    const Mesh other = read_mesh(path(name));
+    EXPECT_EQ(other.points, mesh.points);
+    EXPECT_EQ(other.cells().vertices, mesh.cells().vertices);
+    EXPECT_EQ(other.facets().vertices, mesh.facets().vertices);
+    if (name == "22.msh") expect_same_content(other, mesh);
+  }
+}
+
+}  // namespace
+}  // namespace cleave::app::test

@@ -1,0 +1,173 @@
+#include "files_support.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "error.hpp"
+#include "mesh_file.hpp"
+
+namespace cleave::app::test {
+namespace {
+
+void write_plainly(const std::filesystem::path& path, std::string_view content) {
+  std::ofstream file(path, std::ios::binary);
+  file.write(content.data(), static_cast<std::streamsize>(content.size()));
+  ASSERT_TRUE(file.good()) << path;
+}
+
+std::vector<std::uint64_t> counted(std::uint64_t first, std::size_t count) {
+  std::vector<std::uint64_t> numbers;
+  for (std::size_t i = 0; i < count; ++i) numbers.push_back(first + i);
+  return numbers;
+}
+
+}  // namespace
+
+Files::Files() {
+  std::string name = (std::filesystem::temp_directory_path() / "cleave-files-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  folder_ = name;
+  std::filesystem::permissions(folder_, std::filesystem::perms(0755));
+}
+
+Files::~Files() {
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+std::filesystem::path Files::put(const std::string& name, std::string_view content) const {
+  write_plainly(path(name), content);
+  return path(name);
+}
+
+std::string Files::bytes(const std::string& name) const {
+  std::ifstream file(path(name), std::ios::binary);
+  EXPECT_TRUE(file.good()) << name;
+  std::ostringstream all;
+  all << file.rdbuf();
+  return all.str();
+}
+
+std::vector<std::string> Files::names() const {
+  std::vector<std::string> all;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_))
+    all.push_back(entry.path().filename().string());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+std::string reading_error(const std::filesystem::path& path) {
+  try {
+    read_mesh(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << path << " was read without an error";
+  return {};
+}
+
+void expect_reading_error(const std::filesystem::path& path,
+                          const std::vector<std::string>& parts) {
+  const std::string message = reading_error(path);
+  for (const std::string& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+}
+
+Mesh grouped_mesh() {
+  Mesh mesh;
+  mesh.dimension = 3;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.1}, {1. / 3, 1, 1e-300}, {-2, 2, 1e20}};
+  mesh.vertex_numbers = counted(1, 6);
+  mesh.elements[0] = {{2, 5}, counted(1, 2)};
+  mesh.elements[1] = {{0, 1, 1, 3, 0, 3}, counted(3, 3)};
+  mesh.elements[2] = {{1, 2, 3, 0, 2, 1}, counted(6, 2)};
+  mesh.elements[3] = {{0, 1, 2, 3, 4, 2, 1, 3, 4, 3, 2, 5}, counted(8, 3)};
+  mesh.groups = {{"nail", 0, 7, {0, 1}}, {"rim", 1, 3, {0, 2}},    {"5", 1, 5, {1}},
+                 {"cut", 2, 4, {0}},     {"unused", 2, 8, {}},     {"skin", 2, 9, {0, 1}},
+                 {"1", 3, 1, {0, 2}},    {"left lobe", 3, 2, {1}}, {"all", 3, 6, {0, 1}}};
+  return mesh;
+}
+
+void expect_same_content(const Mesh& a, const Mesh& b) {
+  EXPECT_EQ(a.dimension, b.dimension);
+  ASSERT_EQ(a.points.size(), b.points.size());
+  EXPECT_EQ(std::memcmp(a.points.data(), b.points.data(), a.points.size() * sizeof a.points[0]), 0);
+  for (std::size_t d = 0; d <= 3; ++d)
+    EXPECT_EQ(a.elements[d].vertices, b.elements[d].vertices) << "dimension " << d;
+  ASSERT_EQ(a.groups.size(), b.groups.size());
+  for (std::size_t g = 0; g < a.groups.size(); ++g) {
+    EXPECT_EQ(a.groups[g].name, b.groups[g].name);
+    EXPECT_EQ(a.groups[g].dimension, b.groups[g].dimension) << a.groups[g].name;
+    EXPECT_EQ(a.groups[g].tag, b.groups[g].tag) << a.groups[g].name;
+    EXPECT_EQ(a.groups[g].elements, b.groups[g].elements) << a.groups[g].name;
+  }
+}
+
+void expect_same_numbers(const Mesh& a, const Mesh& b) {
+  EXPECT_EQ(a.vertex_numbers, b.vertex_numbers);
+  for (std::size_t d = 0; d <= 3; ++d)
+    EXPECT_EQ(a.elements[d].numbers, b.elements[d].numbers) << "dimension " << d;
+}
+
+void expect_same_fields(const std::vector<Field>& a, const std::vector<Field>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t f = 0; f < a.size(); ++f) {
+    EXPECT_EQ(a[f].name, b[f].name);
+    EXPECT_EQ(a[f].components, b[f].components) << a[f].name;
+    EXPECT_EQ(a[f].values, b[f].values) << a[f].name;
+    EXPECT_EQ(a[f].integer, b[f].integer) << a[f].name;
+  }
+}
+
+void expect_valid_places(const Mesh& mesh) {
+  EXPECT_EQ(mesh.vertex_numbers.size(), mesh.points.size());
+  for (std::size_t d = 0; d <= 3; ++d) {
+    const Elements& elements = mesh.elements[d];
+    EXPECT_EQ(elements.vertices.size(), (d + 1) * elements.size());
+    for (const std::uint32_t v : elements.vertices) EXPECT_LT(v, mesh.points.size());
+  }
+  for (const Group& group : mesh.groups) {
+    ASSERT_GE(group.dimension, 0);
+    ASSERT_LE(group.dimension, 3);
+    const auto count = mesh.elements[static_cast<std::size_t>(group.dimension)].size();
+    for (const std::uint32_t e : group.elements) EXPECT_LT(e, count);
+  }
+}
+
+void expect_prefixes_are_refused(ReadText read, const std::string& content) {
+  const Mesh whole = read({"whole", content});
+  std::size_t refused = 0;
+  for (std::size_t size = 0; size < content.size(); ++size) {
+    SCOPED_TRACE("the first " + std::to_string(size) + " bytes");
+    try {
+      const Mesh part = read({"part", std::string_view(content).substr(0, size)});
+      expect_same_content(part, whole);
+      expect_same_numbers(part, whole);
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GE(refused + 2, content.size()) << "only the last line end may be missing";
+}
+
+void expect_defects_are_noticed(ReadText read, const std::string& content) {
+  std::size_t refused = 0;
+  for (std::size_t at = 0; at < content.size(); ++at) {
+    for (const char c : {'0', '9', '-', '.', 'e', ' ', '\n', '$', '"', '#', '\0'}) {
+      std::string changed = content;
+      changed[at] = c;
+      try {
+        expect_valid_places(read({"changed", changed}));
+      } catch (const InputError&) {
+        ++refused;
+      }
+    }
+  }
+  EXPECT_GT(refused, content.size());
+}
+
+}  // namespace cleave::app::test
