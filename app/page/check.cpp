@@ -55,6 +55,7 @@ void require_findings(const std::vector<PageFinding>& findings, std::size_t vert
 void require_consistent(const PageData& data) {
   if (data.states.empty()) refuse("states is empty");
   const auto& first = data.states.front().cells;
+  if (first.empty()) refuse("states[0].cells is empty");
   if (first.size() % 4 != 0)
     refuse("states[0].cells has " + std::to_string(first.size()) +
            " vertices, which is no multiple of 4");

@@ -45,7 +45,7 @@ export class Panel {
     element("play").addEventListener("click", actions.play);
     element("position").max = limits.last;
     element("scale").max = 3 * limits.scale;
-    element("colour").children[0].hidden = limits.range === 0;
+    element("colour").children[0].hidden = element("scale-row").hidden = limits.range === 0;
     element("colour").children[1].hidden = data.materialOfCell.length === 0;
     element("timeline").hidden = data.states.length === 1;
     this.fillStates(update);

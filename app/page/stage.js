@@ -194,6 +194,7 @@ export class Stage {
   resize() {
     const {clientWidth: width, clientHeight: height} = element("view");
     if (!width || !height) return;
+    element("view").classList.toggle("stacked", width < height);
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
     const [, , , w, h] = this.viewports()[0];

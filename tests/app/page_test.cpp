@@ -72,7 +72,7 @@ template <class Number>
 std::vector<Number> numbers(const Json& base64) {
   const auto bytes = from_base64(base64.get<std::string>());
   std::vector<Number> result(bytes.size() / sizeof(Number));
-  std::memcpy(result.data(), bytes.data(), bytes.size());
+  if (!result.empty()) std::memcpy(result.data(), bytes.data(), bytes.size());
   return result;
 }
 
@@ -224,6 +224,7 @@ INSTANTIATE_TEST_SUITE_P(
     Page, PageMisfit,
     testing::Values(
         Misfit{"states is empty", [](PageData& d) { d.states.clear(); }},
+        Misfit{"states[0].cells is empty", [](PageData& d) { d.states[0].cells.clear(); }},
         Misfit{"states[0].cells has", [](PageData& d) { d.states[0].cells.pop_back(); }},
         Misfit{"states[0].cells[5]", [](PageData& d) { d.states[0].cells[5] = 425; }},
         Misfit{"states[2].cells has", [](PageData& d) { d.states[2].cells.resize(8); }},
