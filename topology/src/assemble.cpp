@@ -51,6 +51,7 @@ std::vector<Split> split_parts(std::vector<Cell<D>>& cells, const std::vector<Ha
     const VertexId copy{static_cast<std::uint32_t>(a_corner.size())};
     a_corner.push_back(s.least);
     splits.push_back({copy, s.vertex});
+    part.clear();
     detail::flood<D>(cells, mates, s.least, s.vertex, part, [&](CornerId corner) {
       cells[cell_of<D>(corner).value][static_cast<std::size_t>(local_index<D>(corner))] = copy;
       return true;  // a renamed corner is found no more by the old vertex

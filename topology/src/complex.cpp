@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cleave/topology/cell_soup.hpp"
+#include "corner_set.hpp"
 #include "flood.hpp"
 
 namespace cleave::topology {

@@ -24,7 +24,15 @@ struct ComplexAccess {
   }
   static std::vector<Cell<D>>& cells(Complex<D>& k) { return k.cells_; }
   static std::vector<HalfFacetId>& mates(Complex<D>& k) { return k.mates_; }
-  static std::vector<CornerId>& a_corner(Complex<D>& k) { return k.a_corner_; }
+  static void set_a_corner(Complex<D>& k, VertexId vertex, CornerId corner) {
+    const std::size_t made_with = k.a_corner_.size();
+    (vertex.value < made_with ? k.a_corner_[vertex.value]
+                              : k.a_corner_of_copy_[vertex.value - made_with]) = corner;
+  }
+  /// Adds copies, without corners yet, or takes the last ones away. Time: linear in the copies.
+  static void resize_vertices(Complex<D>& k, std::size_t count) {
+    k.a_corner_of_copy_.resize(count - k.a_corner_.size(), CornerId{kNone});
+  }
   static const std::vector<Cell<D>>& cells(const Complex<D>& k) { return k.cells_; }
   static const std::vector<HalfFacetId>& mates(const Complex<D>& k) { return k.mates_; }
 };

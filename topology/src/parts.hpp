@@ -25,6 +25,7 @@ std::vector<VertexPart> vertex_parts(const std::vector<Cell<D>>& cells,
     if (seen[c]) continue;
     const VertexId vertex = cells[c / (D + 1)][c % (D + 1)];
     parts.push_back({vertex, CornerId{c}});
+    part.clear();
     flood<D>(cells, mates, CornerId{c}, vertex, part, [&](CornerId corner) {
       if (seen[corner.value]) return false;
       seen[corner.value] = true;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cleave/topology/violation.hpp"
+#include "corner_set.hpp"
 #include "flood.hpp"
 
 namespace cleave::topology::detail {
@@ -160,6 +161,7 @@ void find_bad_links(const std::vector<Cell<D>>& cells, const std::vector<HalfFac
           std::binary_search(known_bad.begin(), known_bad.end(), vertex))
         continue;
       seen.clear();
+      star.clear();
       flood<3>(cells, mates, a_corner[v], vertex, star,
                [&](CornerId corner) { return seen.insert(corner); });
       const LinkCount link = count_link(cells, mates, star, vertex);

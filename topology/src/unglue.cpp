@@ -19,10 +19,10 @@ class Ungluing {
 
  public:
   Ungluing(Complex<D>& k, const FacetSet& cut)
-      : cells_(Access::cells(k)),
+      : k_(k),
+        cells_(Access::cells(k)),
         mates_(Access::mates(k)),
-        a_corner_(Access::a_corner(k)),
-        old_vertex_count_(static_cast<std::uint32_t>(a_corner_.size())) {
+        old_vertex_count_(static_cast<std::uint32_t>(k.vertex_count())) {
     severed_.reserve(cut.size());
     for (const HalfFacetId h : cut.half_facets()) {
       if (h.value >= mates_.size() || mates_[h.value].value == detail::kNone || mates_[h.value] < h)
@@ -79,8 +79,7 @@ class Ungluing {
     const VertexId provisional{old_vertex_count_ + static_cast<std::uint32_t>(classes_.size())};
     classes_.push_back({parent, start, corners_.size(), corners_.size(), provisional});
     // A visited corner is found no more by its old vertex, so each one reached is new.
-    detail::flood<D>(cells_, mates_, start, parent, part_, [&](CornerId corner) {
-      corners_.push_back(corner);
+    detail::flood<D>(cells_, mates_, start, parent, corners_, [&](CornerId corner) {
       vertex(corner) = provisional;
       classes_.back().last = corners_.size();
       classes_.back().least = std::min(classes_.back().least, corner);
@@ -109,11 +108,11 @@ class Ungluing {
     change.corners.reserve(renamed);
     change.opened.reserve(severed_.size());
     change.shut.reserve(severed_.size());
-    a_corner_.resize(change.vertices_after, CornerId{detail::kNone});
+    Access::resize_vertices(k_, change.vertices_after);
 
     // Nothing below throws.
     for (const Class& c : classes_) {
-      a_corner_[c.vertex.value] = c.least;
+      Access::set_a_corner(k_, c.vertex, c.least);
       for (std::size_t n = c.first; n < c.last; ++n) {
         vertex(corners_[n]) = c.vertex;
         if (c.vertex != c.parent) change.corners.push_back({corners_[n], c.parent, c.vertex});
@@ -157,17 +156,16 @@ class Ungluing {
       mates_[facet.lesser.value] = facet.greater;
       mates_[facet.greater.value] = facet.lesser;
     }
-    a_corner_.resize(old_vertex_count_);
+    Access::resize_vertices(k_, old_vertex_count_);
   }
 
+  Complex<D>& k_;
   std::vector<Cell<D>>& cells_;
   std::vector<HalfFacetId>& mates_;
-  std::vector<CornerId>& a_corner_;
   const std::uint32_t old_vertex_count_;
   std::vector<Mates> severed_;
   std::vector<Class> classes_;
   std::vector<CornerId> corners_;  // of all classes, one after the other
-  std::vector<CornerId> part_;     // scratch of the flood
 };
 
 }  // namespace

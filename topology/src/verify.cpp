@@ -1,11 +1,13 @@
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "cleave/topology/check.hpp"
 #include "cleave/topology/unglue.hpp"
 #include "cleave/topology/violation.hpp"
+#include "corner_set.hpp"
 
 namespace cleave::topology {
 namespace {
@@ -21,29 +23,22 @@ Facet<D> sorted_facet(const Complex<D>& k, HalfFacetId h) {
   return facet;
 }
 
-/// The sign of the permutation that sorts facet(h), times the sign the cell induces on it.
+/// Mates h and m name each other, have the same vertices, and opposite orientations are induced on
+/// them.
 template <int D>
-int sorted_facet_sign(const Complex<D>& k, HalfFacetId h) {
-  const Facet<D> facet = k.facet(h);
-  int sign = k.facet_sign(h);
-  for (std::size_t i = 0; i < facet.size(); ++i)
-    for (std::size_t j = i + 1; j < facet.size(); ++j)
-      if (facet[j] < facet[i]) sign = -sign;
-  return sign;
-}
-
-template <int D>
-void verify_half_facets(const Complex<D>& k, CellId cell) {
-  for (int i = 0; i <= D; ++i) {
-    const HalfFacetId h = half_facet<D>(cell, i);
-    const auto mate = k.mate(h);
-    if (!mate) continue;
-    require(k.mate(*mate) == h, "mates do not name each other at half-facet", h.value);
-    require(sorted_facet(k, h) == sorted_facet(k, *mate), "mates differ in vertices at half-facet",
-            h.value);
-    require(sorted_facet_sign(k, h) == -sorted_facet_sign(k, *mate),
-            "mates have the same orientation at half-facet", h.value);
+void verify_mates(const Complex<D>& k, HalfFacetId h, HalfFacetId m) {
+  require(k.mate(m) == h, "mates do not name each other at half-facet", h.value);
+  const Facet<D> one = k.facet(h), other = k.facet(m);
+  std::array<std::ptrdiff_t, static_cast<std::size_t>(D)> place{};  // in `other`, of one's vertices
+  int parity = 1;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    place[i] = std::find(other.begin(), other.end(), one[i]) - other.begin();
+    require(place[i] < D, "mates differ in vertices at half-facet", h.value);
+    for (std::size_t before = 0; before < i; ++before)
+      if (place[i] < place[before]) parity = -parity;
   }
+  require(k.facet_sign(h) * parity == -k.facet_sign(m),
+          "mates have the same orientation at half-facet", h.value);
 }
 
 void verify_names(const Relabelling& change) {
@@ -60,30 +55,35 @@ void verify_names(const Relabelling& change) {
   for (const RenamedCorner& renamed : change.corners) {
     require(renamed.from != renamed.to && renamed.from.value < change.vertices_before,
             "a corner is renamed to no copy", renamed.corner.value);
-    require(change.parent(renamed.to) == renamed.from, "a corner got a copy of another vertex",
-            renamed.corner.value);
+    require(renamed.to.value >= change.vertices_before &&
+                renamed.to.value < change.vertices_after &&
+                change.splits[renamed.to.value - change.vertices_before].parent == renamed.from,
+            "a corner got a copy of another vertex", renamed.corner.value);
   }
 }
 
-/// The facets of `cut` are the opened and the shut ones, and what is said of them is so.
+/// The facets of `cut` are the opened and the shut ones, and what is said of them is so. The names
+/// of `change` are verified.
 template <int D>
 void verify_facets(const Complex<D>& k, const FacetSet& cut, const Relabelling& change) {
-  require(change.opened.size() + change.shut.size() == cut.size(),
+  std::vector<HalfFacetId> named = change.shut;
+  for (const OpenedFacet& facet : change.opened) named.push_back(facet.half_facet);
+  std::inplace_merge(named.begin(), named.begin() + std::ssize(change.shut), named.end());
+  const auto asked = cut.half_facets();
+  require(std::equal(named.begin(), named.end(), asked.begin(), asked.end()),
           "opened and shut facets are not those of the cut",
           static_cast<std::uint32_t>(cut.size()));
-  for (const HalfFacetId h : change.shut) {
-    require(cut.contains(h), "a shut facet was not asked for", h.value);
+  for (const HalfFacetId h : change.shut)
     require(k.is_interior(h), "a shut facet lost its mate", h.value);
-  }
   const auto parents = [&](HalfFacetId h) {
     Facet<D> facet = k.facet(h);
-    for (VertexId& v : facet) v = change.parent(v);
+    for (VertexId& v : facet)
+      if (v.value >= change.vertices_before)
+        v = change.splits[v.value - change.vertices_before].parent;
     std::sort(facet.begin(), facet.end());
     return facet;
   };
   for (const OpenedFacet& facet : change.opened) {
-    require(cut.contains(facet.half_facet), "a facet opened that was not asked for",
-            facet.half_facet.value);
     require(!k.is_interior(facet.half_facet) && !k.is_interior(facet.former_mate),
             "an opened facet has a mate", facet.half_facet.value);
     require(sorted_facet(k, facet.half_facet) != sorted_facet(k, facet.former_mate),
@@ -93,36 +93,60 @@ void verify_facets(const Complex<D>& k, const FacetSet& cut, const Relabelling& 
   }
 }
 
-using VertexCorner = std::pair<VertexId, CornerId>;
-
-/// The corners on both sides of the cut's facets and those renamed, by vertex: each class of
-/// corners at a touched vertex has at least one here.
+/// Walks around vertices from given corners. Shares no code with unglue.
 template <int D>
-std::vector<VertexCorner> touched_corners(const Complex<D>& k, const Relabelling& change) {
-  std::vector<VertexCorner> touched;
-  const auto add_side = [&](HalfFacetId side) {
-    for (int i = 0; i <= D; ++i) {
-      const CornerId corner = half_facet<D>(cell_of<D>(side), i);
-      if (corner != side) touched.emplace_back(k.vertex(corner), corner);
+class StarWalks {
+ public:
+  explicit StarWalks(const Complex<D>& k) : k_(k) {}
+
+  /// Walks around the vertex of `start`, unless an earlier walk came past this corner, and verifies
+  /// the mates it crosses.
+  void walk(CornerId start) {
+    if (!reached_.insert(start)) return;
+    const VertexId vertex = k_.vertex(start);
+    vertices_.push_back(vertex);
+    corners_.assign(1, start);
+    for (std::size_t next = 0; next < corners_.size(); ++next) {
+      const CornerId corner = corners_[next];
+      for (int i = 0; i <= D; ++i) {
+        const HalfFacetId h = half_facet<D>(cell_of<D>(corner), i);
+        if (h == corner) continue;
+        require(k_.vertex(h) != vertex, "a cell has a vertex twice", cell_of<D>(h).value);
+        const auto mate = k_.mate(h);
+        if (!mate) continue;
+        const auto& across = k_.vertices(cell_of<D>(*mate));
+        const auto place = std::find(across.begin(), across.end(), vertex) - across.begin();
+        require(place <= D && place != local_index<D>(*mate),
+                "mates differ in vertices at half-facet", h.value);
+        if (h < *mate)
+          verify_mates(k_, h, *mate);
+        else  // verified when the walk comes back through it
+          require(k_.mate(*mate) == h, "mates do not name each other at half-facet", h.value);
+        const CornerId neighbour = half_facet<D>(cell_of<D>(*mate), static_cast<int>(place));
+        if (reached_.insert(neighbour)) corners_.push_back(neighbour);
+      }
     }
-  };
-  for (const OpenedFacet& facet : change.opened) {
-    add_side(facet.half_facet);
-    add_side(facet.former_mate);
   }
-  for (const HalfFacetId h : change.shut) {
-    add_side(h);
-    add_side(*k.mate(h));
+
+  /// Every star was walked from several corners as a rule; one walk must have reached them all.
+  void verify_one_walk_each() {
+    std::sort(vertices_.begin(), vertices_.end());
+    const auto twice = std::adjacent_find(vertices_.begin(), vertices_.end());
+    require(twice == vertices_.end(), "the star of a vertex is not one part",
+            twice == vertices_.end() ? 0 : twice->value);
+    for (const VertexId vertex : vertices_) {
+      const auto corner = k_.a_corner(vertex);
+      require(corner && k_.vertex(*corner) == vertex && reached_.contains(*corner),
+              "a vertex names a corner that is not in its star", vertex.value);
+    }
   }
-  for (const RenamedCorner& renamed : change.corners) {
-    require(k.vertex(renamed.corner) == renamed.to, "a corner does not have its new vertex",
-            renamed.corner.value);
-    touched.emplace_back(renamed.to, renamed.corner);
-  }
-  std::sort(touched.begin(), touched.end());
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-  return touched;
-}
+
+ private:
+  const Complex<D>& k_;
+  detail::CornerSet reached_;
+  std::vector<VertexId> vertices_;  // walked around
+  std::vector<CornerId> corners_;   // of the walk under way
+};
 
 }  // namespace
 
@@ -130,23 +154,26 @@ template <int D>
 void verify_touched(const Complex<D>& k, const FacetSet& cut, const Relabelling& change) {
   verify_names(change);
   verify_facets(k, cut, change);
-  const std::vector<VertexCorner> touched = touched_corners(k, change);
-  std::vector<CellId> cells;
-  for (auto first = touched.begin(); first != touched.end();) {
-    const auto last = std::find_if(first, touched.end(), [&](const VertexCorner& entry) {
-      return entry.first != first->first;
-    });
-    std::vector<CornerId> around = star(k, first->first);
-    std::sort(around.begin(), around.end());
-    for (const CornerId corner : around) cells.push_back(cell_of<D>(corner));
-    for (auto entry = first; entry != last; ++entry)
-      require(std::binary_search(around.begin(), around.end(), entry->second),
-              "the star of a vertex is not one part", entry->first.value);
-    first = last;
+  StarWalks<D> walks(k);
+  for (const RenamedCorner& renamed : change.corners) {
+    require(k.vertex(renamed.corner) == renamed.to, "a corner does not have its new vertex",
+            renamed.corner.value);
+    walks.walk(renamed.corner);
   }
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  for (const CellId cell : cells) verify_half_facets(k, cell);
+  // Each class of corners at a vertex of the cut has a corner on a side of one of its facets.
+  const auto walk_around = [&](HalfFacetId side) {
+    for (int i = 0; i <= D; ++i)
+      if (i != local_index<D>(side)) walks.walk(half_facet<D>(cell_of<D>(side), i));
+  };
+  for (const OpenedFacet& facet : change.opened) {
+    walk_around(facet.half_facet);
+    walk_around(facet.former_mate);
+  }
+  for (const HalfFacetId h : change.shut) {
+    walk_around(h);
+    walk_around(*k.mate(h));
+  }
+  walks.verify_one_walk_each();
 }
 
 template <int D>
@@ -160,7 +187,8 @@ void verify_all(const Complex<D>& k) {
   for (const Violation& violation : check(soup, Level::cut_regular))
     if (!std::holds_alternative<OrphanVertex>(violation))
       throw InvariantBroken(describe(violation));
-  for (std::uint32_t c = 0; c < k.cell_count(); ++c) verify_half_facets(k, CellId{c});
+  for (std::uint32_t h = 0; h < k.half_facet_count(); ++h)
+    if (const auto mate = k.mate(HalfFacetId{h})) verify_mates(k, HalfFacetId{h}, *mate);
 }
 
 #define CLEAVE_INSTANTIATE(D)                                                              \

@@ -34,7 +34,7 @@ class Complex {
   std::size_t half_facet_count() const { return mates_.size(); }
 
   /// Vertex ids are below this number. Some may be used by no cell.
-  std::size_t vertex_count() const { return a_corner_.size(); }
+  std::size_t vertex_count() const { return a_corner_.size() + a_corner_of_copy_.size(); }
 
   /// All cells, with their vertices in the order of the file.
   std::span<const Cell<D>> cells() const { return cells_; }
@@ -79,8 +79,10 @@ class Complex {
 
   /// Some corner at `vertex`; none if no cell uses the vertex.
   std::optional<CornerId> a_corner(VertexId vertex) const {
-    assert(vertex.value < a_corner_.size());
-    const CornerId corner = a_corner_[vertex.value];
+    assert(vertex.value < vertex_count());
+    const CornerId corner = vertex.value < a_corner_.size()
+                                ? a_corner_[vertex.value]
+                                : a_corner_of_copy_[vertex.value - a_corner_.size()];
     if (corner.value == kNone) return std::nullopt;
     return corner;
   }
@@ -92,7 +94,8 @@ class Complex {
   std::vector<Cell<D>> cells_;
   std::vector<HalfFacetId> mates_;
   std::vector<bool> reversed_;
-  std::vector<CornerId> a_corner_;
+  std::vector<CornerId> a_corner_;          // of each vertex that the complex was made with
+  std::vector<CornerId> a_corner_of_copy_;  // apart, so that a cut never moves the whole array
 };
 
 /// The corners at `vertex`, one per cell of its star, in the order of the flood of Algorithm 5
