@@ -1,21 +1,15 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "cleave/cutting/predicates.hpp"
 
 namespace cleave::cutting::detail {
-
-template <int D>
-Point<D> middle(const Box<D>& box) {
-  Point<D> p;
-  for (std::size_t i = 0; i < p.size(); ++i) p[i] = 0.5 * box.low[i] + 0.5 * box.high[i];
-  return p;
-}
 
 /// Makes `box` the least box that holds both.
 template <int D>
@@ -27,17 +21,20 @@ void include(Box<D>& box, const Box<D>& other) {
 }
 
 /// Finds the boxes that a simplex may meet. A binary tree over the boxes, halved at the median
-/// along the longest side; it keeps the boxes of its nodes only, so elements of size up to kLeaf
-/// are reported together. Memory for D = 3: 20 to 40 bytes per box, and 50 more while it is built.
+/// along the longest side; it keeps the boxes of its nodes only, so up to kLeaf boxes are reported
+/// together. Memory for D = 3: 20 to 40 bytes per box, and 16 more while it is built.
 template <int D>
 class BoxTree {
  public:
   BoxTree() = default;
 
   /// Time: O(n log n).
-  explicit BoxTree(std::span<const Box<D>> boxes) : items_(boxes.size()) {
-    std::iota(items_.begin(), items_.end(), 0u);
-    if (!items_.empty()) build(boxes, 0, items_.size());
+  explicit BoxTree(std::span<const Box<D>> boxes) {
+    std::vector<Item> items(boxes.size());
+    for (std::uint32_t i = 0; i < items.size(); ++i) items[i] = {rough_middle(boxes[i]), i};
+    if (!items.empty()) build(boxes, items, 0, items.size());
+    items_.reserve(items.size());
+    for (const Item& item : items) items_.push_back(item.box);
   }
 
   /// Calls visit(i) for every box i that `simplex` may meet, and for some of their neighbours.
@@ -66,37 +63,60 @@ class BoxTree {
     std::uint32_t first, last, next;
   };
 
+  using Rough = std::array<float, static_cast<std::size_t>(D)>;
+
+  /// A box while the tree is built. Where its middle is needs no precision: it decides the shape of
+  /// the tree, not what is in a node.
+  struct Item {
+    Rough middle;
+    std::uint32_t box;
+  };
+
   static bool is_leaf(std::size_t count) { return count <= kLeaf; }
 
-  void build(std::span<const Box<D>> boxes, std::size_t first, std::size_t last) {
-    const std::size_t self = nodes_.size();
-    Box<D> box = boxes[items_[first]];
-    Box<D> middles{middle(box), middle(box)};
-    for (std::size_t i = first + 1; i < last; ++i) {
-      const Box<D>& item = boxes[items_[i]];
-      include(box, item);
-      include(middles, {middle(item), middle(item)});
-    }
-    nodes_.push_back({box, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last), 0});
-    if (!is_leaf(last - first)) {
-      const std::size_t half = first + (last - first) / 2;
-      const std::size_t axis = longest_side(middles);
-      std::nth_element(items_.begin() + static_cast<std::ptrdiff_t>(first),
-                       items_.begin() + static_cast<std::ptrdiff_t>(half),
-                       items_.begin() + static_cast<std::ptrdiff_t>(last),
-                       [&](std::uint32_t a, std::uint32_t b) {
-                         return middle(boxes[a])[axis] < middle(boxes[b])[axis];
-                       });
-      build(boxes, first, half);
-      build(boxes, half, last);
-    }
-    nodes_[self].next = static_cast<std::uint32_t>(nodes_.size());
+  static Rough rough_middle(const Box<D>& box) {
+    constexpr double kMost = std::numeric_limits<float>::max();
+    Rough middle;
+    for (std::size_t i = 0; i < middle.size(); ++i)
+      middle[i] =
+          static_cast<float>(std::clamp(0.5 * box.low[i] + 0.5 * box.high[i], -kMost, kMost));
+    return middle;
   }
 
-  static std::size_t longest_side(const Box<D>& box) {
+  /// Appends the nodes over items [first, last), and puts these in order. Returns their box.
+  Box<D> build(std::span<const Box<D>> boxes, std::vector<Item>& items, std::size_t first,
+               std::size_t last) {
+    const std::size_t self = nodes_.size();
+    nodes_.emplace_back();
+    Box<D> box = boxes[items[first].box];
+    if (is_leaf(last - first)) {
+      for (std::size_t i = first + 1; i < last; ++i) include(box, boxes[items[i].box]);
+    } else {
+      const std::size_t half = first + (last - first) / 2;
+      const std::span<Item> range = std::span(items).subspan(first, last - first);
+      const std::size_t axis = longest_side(range);
+      std::nth_element(
+          range.begin(), range.begin() + static_cast<std::ptrdiff_t>(half - first), range.end(),
+          [axis](const Item& a, const Item& b) { return a.middle[axis] < b.middle[axis]; });
+      box = build(boxes, items, first, half);
+      include(box, build(boxes, items, half, last));
+    }
+    nodes_[self] = {box, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last),
+                    static_cast<std::uint32_t>(nodes_.size())};
+    return box;
+  }
+
+  /// The axis along which the middles reach farthest.
+  static std::size_t longest_side(std::span<const Item> items) {
+    Rough low = items.front().middle, high = low;
+    for (const Item& item : items)
+      for (std::size_t i = 0; i < low.size(); ++i) {
+        low[i] = std::min(low[i], item.middle[i]);
+        high[i] = std::max(high[i], item.middle[i]);
+      }
     std::size_t axis = 0;
-    for (std::size_t i = 1; i < box.low.size(); ++i)
-      if (box.high[i] - box.low[i] > box.high[axis] - box.low[axis]) axis = i;
+    for (std::size_t i = 1; i < low.size(); ++i)
+      if (high[i] - low[i] > high[axis] - low[axis]) axis = i;
     return axis;
   }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cleave/support/reference.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -95,6 +96,30 @@ TEST(DualEdge, AGridPlaneIsSelectedItself) {
   const auto cut = chosen(body, bodies::aligned_plane<3>(body, {0, 1, 0}, 3), kDualEdge);
   EXPECT_EQ(cut.size(), 32u);
   EXPECT_EQ(pieces_after(body, cut), 2u);
+}
+
+// Half way between two grid planes the dual points lie on both sides, so the cut zigzags.
+TEST(DualEdge, BetweenGridPlanesTheCutZigzags) {
+  const Body<3> body = bodies::kuhn<3>({5, 5, 5}, 1);
+  const Sweep<3> middle = bodies::aligned_plane<3>(body, {1, 0, 0}, 1.5);
+  const auto cut = chosen(body, middle, kDualEdge);
+  EXPECT_GT(cut.size(), chosen(body, middle, kNearest).size());
+  EXPECT_EQ(pieces_after(body, cut), 2u);
+}
+
+// Theorem B says even, not two.
+TEST(DualEdge, FourChosenFacetsMayMeetInARidge) {
+  bodies::Rng rng(4);
+  bool found = false;
+  for (int run = 0; run < 10; ++run) {
+    const Body<3> body = bodies::jittered<3>({7, 7, 7}, 1, 0.2, rng);
+    const auto cut = chosen(body, bodies::full_crossing(body, rng), kDualEdge);
+    const std::vector<topology::HalfFacetId> facets(cut.half_facets().begin(),
+                                                    cut.half_facets().end());
+    for (const auto& [ridge, degree] : support::ridge_degrees<3>(body.k.cells(), facets))
+      found = found || degree == 4;
+  }
+  EXPECT_TRUE(found);
 }
 
 // A cut closer to the surface than any dual point is beyond the rule; so is a blade that passes

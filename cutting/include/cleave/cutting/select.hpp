@@ -66,7 +66,7 @@ class Selector {
 
   /// Throws std::invalid_argument if `points` has not one entry per vertex of `k`, or a vertex of a
   /// cell has a coordinate that is not finite.
-  /// Time: O(n log n) in the cells. Memory: 20 to 40 bytes per cell, and 50 more while it is built.
+  /// Time: O(n log n) in the cells. Memory: 20 to 40 bytes per cell, and 70 more while it is built.
   Selector(const topology::Complex<D>& k, const std::vector<Point<D>>& points,
            SelectOptions options = {});
 
