@@ -2,9 +2,11 @@
 
 #include <unistd.h>
 
+#include <set>
 #include <system_error>
 
 #include "error.hpp"
+#include "mesh_file.hpp"
 
 namespace cleave::app {
 namespace {
@@ -46,15 +48,16 @@ RunFolder::~RunFolder() {
   if (!made_.empty()) std::filesystem::remove_all(made_, ignored);
 }
 
-std::filesystem::path RunFolder::staged(const std::string& name) {
-  names_.push_back(name);
-  return staging_ / name;
-}
-
 void RunFolder::commit() {
-  for (const std::string& name : names_) {
+  std::set<std::filesystem::path> names;
+  for (const auto& entry : std::filesystem::directory_iterator(staging_))
+    names.insert(entry.path().filename());
+  for (const auto& name : names) {
     std::error_code error;
-    std::filesystem::rename(staging_ / name, folder_ / name, error);
+    const std::filesystem::path described = groups_path(name);
+    if (name.extension() == ".vtu" && names.count(described) == 0)
+      std::filesystem::remove(folder_ / described, error);
+    if (!error) std::filesystem::rename(staging_ / name, folder_ / name, error);
     if (error)
       throw OutputError("cannot write '" + (folder_ / name).string() + "': " + error.message());
   }

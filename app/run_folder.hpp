@@ -1,7 +1,6 @@
 #pragma once
 #include <filesystem>
 #include <string>
-#include <vector>
 
 namespace cleave::app {
 
@@ -16,16 +15,16 @@ class RunFolder {
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
 
-  /// Where to write the file `name` to. commit() expects it to be there.
-  std::filesystem::path staged(const std::string& name);
+  /// Where to write the file `name` to.
+  std::filesystem::path staged(const std::string& name) const { return staging_ / name; }
 
-  /// Moves all files to their place, in the order they were staged. Throws OutputError.
+  /// Moves all staged files to their place, in the order of their names. A description of groups
+  /// that an earlier run left beside a mesh goes if this run's mesh has none. Throws OutputError.
   void commit();
 
  private:
   std::filesystem::path folder_, staging_;
   std::filesystem::path made_;  // the topmost folder made here; empty: none
-  std::vector<std::string> names_;
 };
 
 }  // namespace cleave::app

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "error.hpp"
+#include "kuhn_cube.hpp"
 #include "run_pipeline.hpp"
 #include "scene.hpp"
+#include "scene_physics.hpp"
 #include "scene_stroke.hpp"
 
 namespace cleave::app {
@@ -259,6 +261,29 @@ TEST(RunRefuses, WhatTheMeshDoesNotHave) {
 TEST(RunRefuses, GravityWithoutDensity) {
   expect_all(refusal({kLame, R"("loads": [{"gravity": [0,0,-10]}])", R"("solve": {})"}),
              {"/loads/0", "density", "cell 0"});
+}
+
+TEST(RunRefuses, ACellWithTwoMaterials) {
+  const Scene scene = parse_scene("{" + kCube + R"(, "material": {"groups": {
+      "bone": {"lambda": 1, "mu": 1}, "cut": {"lambda": 2, "mu": 1}}}})",
+                                  "s.json", "");
+  Mesh mesh = kuhn_cube(std::get<CubeSpec>(scene.mesh));
+  Group bone{"bone", 3, 1, {}}, cut{"cut", 3, 2, {17}};
+  for (std::uint32_t c = 0; c < mesh.cells().size(); ++c) bone.elements.push_back(c);
+  mesh.groups = {bone, cut};
+  try {
+    materials_of(scene, mesh);
+    FAIL();
+  } catch (const InputError& e) {
+    expect_all(e.what(), {"cell 17", "two materials", "/material/groups/bone",
+                          "/material/groups/cut", "\"bone\", \"cut\""});
+  }
+  mesh.groups = {cut, bone};
+  mesh.groups[1].elements.erase(mesh.groups[1].elements.begin() + 17);
+  const SceneMaterials materials = materials_of(scene, mesh);
+  EXPECT_EQ(materials.lame.of_cell[17], 1u);
+  EXPECT_EQ(materials.lame.of_cell[16], 0u);
+  EXPECT_EQ(materials.lame.table[1].lambda, 2.0);
 }
 
 TEST(Composed, ChangesOneAfterTheOtherAreOne) {
