@@ -197,6 +197,10 @@ TYPED_TEST(Incisions, AFacetThatIsNotInteriorIsRefusedAndNothingChanges) {
     RC_ASSERT(k.vertex_count() == cut.after.vertex_count());
     for (std::uint32_t h = 0; h < k.half_facet_count(); ++h)
       RC_ASSERT(k.mate({h}) == cut.after.mate({h}));
+    const HalfFacetId beyond{static_cast<std::uint32_t>(k.half_facet_count())};
+    RC_ASSERT_THROWS_AS(unglue(k, FacetSet::of_lesser({beyond})), NotInterior);
+    for (const HalfFacetId shut : cut.change.shut)  // not named by its lesser half-facet
+      RC_ASSERT_THROWS_AS(unglue(k, FacetSet::of_lesser({*k.mate(shut)})), NotInterior);
     Incision<D> incision(cut.after);
     RC_ASSERT(refused([&] { incision.cut(FacetSet::of_lesser(asked)); }));
     RC_ASSERT(incision.scored().empty());

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>
-#include <iterator>
 #include <utility>
 
 namespace cleave::support {
@@ -19,15 +18,14 @@ std::vector<std::size_t> components_of(const Graph& graph) {
 }
 
 template <int D>
-std::set<VertexId> vertex_set(const Cell<D>& cell) {
-  return {cell.begin(), cell.end()};
+bool contains(const Cell<D>& cell, VertexId v) {
+  return std::find(cell.begin(), cell.end(), v) != cell.end();
 }
 
 template <int D>
-std::vector<VertexId> common_vertices(const std::set<VertexId>& a, const std::set<VertexId>& b) {
-  std::vector<VertexId> common;
-  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
-  return common;
+int count_common_vertices(const Cell<D>& a, const Cell<D>& b) {
+  return static_cast<int>(
+      std::count_if(a.begin(), a.end(), [&](VertexId v) { return contains<D>(b, v); }));
 }
 
 /// The facets of the cut as pairs of cells, which are the same facets whatever becomes of vertices.
@@ -48,12 +46,10 @@ template <int D>
 std::vector<std::size_t> divide(std::span<const Cell<D>> cells, const std::set<std::size_t>& star,
                                 const std::set<CellPair>& cut) {
   const std::vector<std::size_t> members(star.begin(), star.end());
-  std::vector<std::set<VertexId>> vertices;
-  for (const std::size_t t : members) vertices.push_back(vertex_set<D>(cells[t]));
   Graph graph(members.size());
   for (std::size_t i = 0; i < members.size(); ++i)
     for (std::size_t j = i + 1; j < members.size(); ++j)
-      if (common_vertices<D>(vertices[i], vertices[j]).size() == static_cast<std::size_t>(D) &&
+      if (count_common_vertices<D>(cells[members[i]], cells[members[j]]) == D &&
           cut.count({members[i], members[j]}) == 0)
         boost::add_edge(i, j, graph);
   return components_of(graph);
@@ -154,7 +150,7 @@ std::vector<Cell<D>> algorithm_3(std::span<const Cell<D>> cells, std::span<const
     for (const VertexId node : std::set<VertexId>(copies[original])) {
       std::set<std::size_t> incident;
       for (std::size_t t = 0; t < mesh.size(); ++t)
-        if (vertex_set<D>(mesh[t]).count(node) != 0) incident.insert(t);
+        if (contains<D>(mesh[t], node)) incident.insert(t);
       const auto component = divide<D>(std::span<const Cell<D>>(mesh), incident, surface);
       std::map<std::size_t, VertexId> copy_for;
       std::size_t i = 0;
@@ -238,7 +234,7 @@ std::set<std::size_t> flood(std::span<const Cell<D>> cells, std::span<const std:
       const auto s_j = topology::half_facet<D>({t}, j);
       const auto u =
           backlink.find({sorted_facet<D>(cells, s_j), -induced_sign<D>(cells, signs, s_j)});
-      if (u == backlink.end() || vertex_set<D>(cells[u->second]).count(node) == 0) continue;
+      if (u == backlink.end() || !contains<D>(cells[u->second], node)) continue;
       if (reached.insert(u->second).second) todo.push_back(u->second);
     }
   }
