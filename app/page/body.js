@@ -27,7 +27,7 @@ void main() {
 
 const FRAGMENT = `
 uniform sampler2D map;
-uniform int colouring;  // 0 plain, 1 displacement, 2 material
+uniform int colouring;  // 0 plain, 1 displacement, 2 material, 3 white where opened, else black
 uniform float edges, incision, opacity;
 uniform vec3 plain, opened, shut, up;
 varying vec3 vPosition, vTint, vEdge;
@@ -46,6 +46,10 @@ vec3 lit(vec3 base, vec3 n) {
 void main() {
   vec3 n = normalize(cross(dFdx(vPosition), dFdy(vPosition)));
   int kind = int(vKindAndRim.x + 0.5), rim = int(vKindAndRim.y + 0.5);
+  if (colouring == 3) {
+    gl_FragColor = vec4(vec3(kind == 2), 1.0);
+    return;
+  }
   vec3 base = colouring == 1 ? texture2D(map, vec2(clamp(vMagnitude, 0.0, 1.0), 0.5)).rgb
             : colouring == 2 ? vTint : plain;
   if (kind == 1) base = mix(base, vec3(dot(base, vec3(0.3, 0.59, 0.11))), 0.25) * 1.12;
@@ -78,7 +82,7 @@ function displacementTexture() {
   return texture;
 }
 
-export const COLOURINGS = ["plain", "displacement", "material"];
+export const COLOURINGS = ["plain", "displacement", "material", "probe"];
 
 /// Uniforms that all drawn things of one viewport share; `t` is its own.
 export function sharedUniforms() {

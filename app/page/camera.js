@@ -1,33 +1,13 @@
 // Where to look from, and from how far.
 import * as THREE from "three";
-import {cornerDisplacement} from "cleave/body.js";
-import {OPENED, facetCorners, incisionEdges, scoredFacets} from "cleave/mesh.js";
+import {COLOURINGS, cornerDisplacement} from "cleave/body.js";
+import {facetCorners} from "cleave/mesh.js";
 
 /// Degrees, of the height of the picture.
 export const FIELD_OF_VIEW = 32;
 
-/// Whence to look at the incision: against the skin it opens, a little from the side; if it opens
-/// none, from the front.
-export function directionOfIncision(mesh, states) {
-  const scored = scoredFacets(mesh, states), rim = incisionEdges(mesh, scored);
-  const sum = new THREE.Vector3(), corners = [0, 0, 0];
-  const at = (corner) => new THREE.Vector3().fromArray(mesh.points, 3 * mesh.cells[corner]);
-  for (let h = 0; h < scored.length; ++h) {
-    if (mesh.mates[h] >= 0) continue;
-    facetCorners(mesh, h, corners);
-    const v = corners.map((corner) => mesh.cells[corner]);
-    if (![0, 1, 2].some((i) => rim(v[i], v[(i + 1) % 3]) === OPENED)) continue;
-    const [a, b, c] = corners.map(at);
-    sum.add(b.sub(a).cross(c.sub(a)).normalize());
-  }
-  if (sum.length() < 1e-3) return new THREE.Vector3(0.55, -0.75, 0.4).normalize();
-  const direction = sum.normalize();
-  const beside = new THREE.Vector3(0, 0, 1).cross(direction);
-  if (beside.length() < 0.2) beside.set(1, -1, 0);
-  direction.addScaledVector(beside.normalize(), 0.35);
-  direction.z = THREE.MathUtils.clamp(direction.z, -0.75, 0.85);
-  return direction.normalize();
-}
+/// Seen from the front, a little from the right and from above.
+export const FRONT = {azimuth: -60, elevation: 22};
 
 /// A unit vector from angles in degrees; z is up.
 export function directionOf({azimuth, elevation}) {
@@ -76,4 +56,41 @@ export function frame(places, direction, camera) {
     distance = Math.max(distance, Math.max(wide, tall) / slope + place.dot(direction));
   }
   return {target, distance: 1.12 * distance};
+}
+
+const PROBE = 96;  // pixels of a probing picture, either way
+
+/// The direction, of some round the body, from which most of the opened facets of `scene` is seen:
+/// it draws the scene small from each of them and counts. Views from far above or below count less.
+/// FRONT if the cut is closed or there is none.
+export function bestView(renderer, scene, uniforms, places) {
+  const camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, 1, 2);
+  camera.up.set(0, 0, 1);
+  const target = new THREE.WebGLRenderTarget(PROBE, PROBE);
+  const pixels = new Uint8Array(4 * PROBE * PROBE), before = uniforms.colouring.value;
+  uniforms.colouring.value = COLOURINGS.indexOf("probe");
+  renderer.setRenderTarget(target);
+  let best = FRONT, most = 8;
+  for (let azimuth = -165; azimuth < 180; azimuth += 30) {
+    for (const elevation of [15, -20, 45]) {
+      const direction = directionOf({azimuth, elevation});
+      const {target: middle, distance} = frame(places, direction, camera);
+      camera.position.copy(direction).multiplyScalar(distance).add(middle);
+      camera.near = 0.05 * distance;
+      camera.far = 3 * distance;
+      camera.updateProjectionMatrix();
+      camera.lookAt(middle);
+      renderer.clear();
+      renderer.render(scene, camera);
+      renderer.readRenderTargetPixels(target, 0, 0, PROBE, PROBE, pixels);
+      let seen = 0;
+      for (let i = 0; i < pixels.length; i += 4) seen += pixels[i] >> 7;
+      seen *= 1 - Math.abs(elevation - 15) / 120;
+      if (seen > most) [most, best] = [seen, {azimuth, elevation}];
+    }
+  }
+  renderer.setRenderTarget(null);
+  target.dispose();
+  uniforms.colouring.value = before;
+  return best;
 }

@@ -25,7 +25,7 @@ const READERS = {
 const ALLOWED = {
   position: (x, {last}) => x >= 0 && x <= last,
   before: (x, {last}) => Number.isInteger(x) && x >= 0 && x <= last,
-  colour: (x) => ["displacement", "material", "plain"].includes(x),
+  colour: (x, {colours}) => colours.includes(x),
   scale: (x) => Number.isFinite(x) && x >= 0,
   axis: (x) => ["off", "x", "y", "z"].includes(x),
   at: (x) => x >= 0 && x <= 1,

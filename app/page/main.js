@@ -34,7 +34,11 @@ function niceScale() {
   return power * [5, 2, 1].find((m) => m * power <= wanted);
 }
 
+const colours = ["plain"];  // what there is to colour by, the best first
+if (data.materialOfCell.length) colours.unshift("material");
+if (range > 0) colours.unshift("displacement");
 const limits = {
+  colours,
   last,
   range,
   scale: niceScale(),
@@ -46,9 +50,7 @@ const start = {
   position: last,
   before: Math.max(0, uncut),
   compare: false,
-  colour: range > 0              ? "displacement" :
-      data.materialOfCell.length ? "material" :
-                                   "plain",
+  colour: colours[0],
   scale: limits.scale,
   range,
   axis: "off",
@@ -102,13 +104,15 @@ function reset() {
 
 const panel = new Panel(data, limits, update, {play, reset});
 
+const choose = (colour) => colours.includes(colour) && update({colour});
+
 const KEYS = {
   " ": play,
   "[": () => update({position: Math.max(0, Math.ceil(view.position) - 1)}),
   "]": () => update({position: Math.min(last, Math.floor(view.position) + 1)}),
-  1: () => range > 0 && update({colour: "displacement"}),
-  2: () => data.materialOfCell.length && update({colour: "material"}),
-  3: () => update({colour: "plain"}),
+  1: () => choose("displacement"),
+  2: () => choose("material"),
+  3: () => choose("plain"),
   e: () => update({edges: !view.edges}),
   i: () => update({incision: !view.incision}),
   t: () => update({seeThrough: !view.seeThrough}),
@@ -156,6 +160,7 @@ function reportDrawn() {
 
 if (stage) {
   stage.onDrawn = reportDrawn;
+  stage.findHome(view.scale);
   document.getElementById("no-view").remove();
 } else {
   root.dataset.state = "no-webgl";

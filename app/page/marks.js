@@ -74,7 +74,7 @@ export class Marks {
     this.object = new THREE.Group();
     this.groups = findings.map(
         (finding, i) => this.makeGroup(finding, MARK_COLOURS[i % MARK_COLOURS.length]));
-    this.object.add(...this.groups);
+    for (const group of this.groups) this.object.add(group);
     this.labels = [];
   }
 

@@ -19,7 +19,7 @@ export function drawLabels(into, labels) {
     const width = 26 + 6.2 * label.length, from = left ? x - width : x, to = from + width;
     const covered = () =>
         taken.some((other) => Math.abs(other.y - y) < LINE && from < other.to && other.from < to);
-    for (let tries = 0; tries < 12 && covered(); ++tries) y += LINE / 3;
+    for (let tries = 0; tries < 40 && covered(); ++tries) y += LINE / 3;
     taken.push({from, to, y});
     const span = element("span", left ? "left" : "", label);
     const colour = MARK_COLOURS[finding % MARK_COLOURS.length];

@@ -45,8 +45,9 @@ export class Panel {
     element("play").addEventListener("click", actions.play);
     element("position").max = limits.last;
     element("scale").max = 3 * limits.scale;
-    element("colour").children[0].hidden = element("scale-row").hidden = limits.range === 0;
-    element("colour").children[1].hidden = data.materialOfCell.length === 0;
+    for (const button of element("colour").children)
+      button.hidden = !limits.colours.includes(button.dataset.value);
+    element("scale-row").hidden = limits.range === 0;
     element("timeline").hidden = data.states.length === 1;
     this.fillStates(update);
     this.fillFindings(update);

@@ -3,7 +3,7 @@ import {inWords, readable} from "cleave/data.js";
 
 const COLOURS = [
   "var(--series-1)", "var(--series-2)", "var(--series-3)", "var(--series-4)", "var(--series-5)",
-  "var(--series-6)"
+  "var(--series-6)", "var(--series-7)", "var(--series-8)"
 ];
 const WIDTH = 360, HEIGHT = 216, LEFT = 42, RIGHT = 8, TOP = 8, BOTTOM = 30;
 const CURVES = [["residual", "residual", ""], ["energyError", "energy-error estimate", "5 3"]];
@@ -161,20 +161,27 @@ export function drawPlot(into, all) {
           y2: scale.y(tolerance)
         },
         make("title", {}, `tolerance ${tolerance.toExponential(0)}`)));
-  solves.forEach((solve, s) => {
+  const curves = solves.map((solve, s) => {
+    const group = make("g", {class: "curves", stroke: COLOURS[s % COLOURS.length]});
     for (const [key, name, dashes] of CURVES)
-      svg.append(make(
-          "path", {
-            d: path(solve, solve[key], scale),
-            stroke: COLOURS[s % COLOURS.length],
-            "stroke-dasharray": dashes
-          },
-          make("title", {}, `${solve.label}: ${name}`)));
+      group.append(make("path", {d: path(solve, solve[key], scale), "stroke-dasharray": dashes},
+                        make("title", {}, `${solve.label}: ${name}`)));
+    return group;
   });
+  svg.append(...curves);
   const names = solves.map((solve, s) => {
     const swatch = html("i", "swatch");
     swatch.style.background = COLOURS[s % COLOURS.length];
-    return html("span", "", swatch, solve.label, html("small", "", inWords(solve.outcome)));
+    const name = html("button", "", swatch, solve.label, html("small", "", inWords(solve.outcome)));
+    name.type = "button";
+    name.addEventListener("click", () => {
+      const alone = name.getAttribute("aria-pressed") !== "true";
+      names.forEach((other, i) => {
+        other.setAttribute("aria-pressed", alone && i === s);
+        curves[i].classList.toggle("faint", alone && i !== s);
+      });
+    });
+    return name;
   });
   const kinds = CURVES.map(
       ([, name, dashes]) => html("span", dashes ? "dashed" : "solid", html("i", "stroke"), name));

@@ -2,7 +2,7 @@
 import * as THREE from "three";
 import {OrbitControls} from "three/OrbitControls.js";
 import {Body, COLOURINGS, sharedUniforms} from "cleave/body.js";
-import {FIELD_OF_VIEW, directionOf, directionOfIncision, frame, skinPlaces} from "cleave/camera.js";
+import {FIELD_OF_VIEW, FRONT, bestView, directionOf, frame, skinPlaces} from "cleave/camera.js";
 import {readable} from "cleave/data.js";
 import {Marks} from "cleave/marks.js";
 import {INSIDE, OPENED, SHUT, SKIN} from "cleave/mesh.js";
@@ -77,7 +77,7 @@ export class Stage {
     this.controls.addEventListener("start", () => {
       this.framed = null;
     });
-    this.home = directionOfIncision(this.mesh, data.states);
+    this.home = FRONT;
     new ResizeObserver(() => this.resize()).observe(element("view"));
     this.framed = {};
     this.listen();
@@ -111,15 +111,14 @@ export class Stage {
   /// Looks at the body as it is last, from `azimuth` and `elevation` (degrees), or at the incision;
   /// frames all of it. Stays framed when the window changes, until somebody moves the camera.
   look(camera) {
-    const direction = camera ? directionOf(camera) : this.home;
+    const direction = directionOf(camera ?? this.home);
     this.framed = {camera};
     this.camera.near = 0.01 * this.radius;
     this.camera.far = 40 * this.radius;
     this.controls.minDistance = 0.05 * this.radius;
     this.controls.maxDistance = 20 * this.radius;
     this.camera.updateProjectionMatrix();
-    const places = skinPlaces(this.mesh, this.data.states.at(-1), this.view?.scale ?? 1);
-    const {target, distance} = frame(places, direction, this.camera);
+    const {target, distance} = frame(this.places, direction, this.camera);
     this.controls.target.copy(target);
     this.camera.position.copy(direction).multiplyScalar(distance / (camera?.zoom ?? 1)).add(target);
     this.controls.update();
@@ -144,6 +143,18 @@ export class Stage {
     this.camera.position.sub(this.controls.target).multiplyScalar(factor).add(this.controls.target);
     this.controls.update();
     this.invalidate();
+  }
+
+  /// Finds the view that the page opens with: of the body as it is last, displacements scaled.
+  findHome(scale) {
+    const last = this.data.states.at(-1);
+    this.places = skinPlaces(this.mesh, last, scale);
+    if (last.opened.length === 0) return;
+    this.uniforms.scale.value = scale;
+    this.after.show(last, last, new Uint8Array(this.mesh.cellCount), "home");
+    this.after.marks.object.visible = this.after.sheet.object.visible = false;
+    this.home = bestView(this.renderer, this.after.root, this.uniforms, this.places);
+    this.after.marks.object.visible = true;
   }
 
   /// Shows a view (see main.js).
@@ -200,7 +211,7 @@ export class Stage {
     const [, , , w, h] = this.viewports()[0];
     this.camera.aspect = w / h;
     this.camera.updateProjectionMatrix();
-    if (this.framed) this.look(this.framed.camera);
+    if (this.framed && this.places) this.look(this.framed.camera);
     this.draw();  // at once: the new size cleared the canvas
   }
 

@@ -155,4 +155,13 @@ PageData bar_cut_in_two() {
   return data;
 }
 
+PageData bar_at_rest() {
+  const auto all = bar_cut_in_two();
+  PageData data;
+  data.title = "Bar at rest";
+  data.points = all.points;
+  data.states = {all.states.front()};
+  return data;
+}
+
 }  // namespace cleave::app

@@ -8,6 +8,9 @@ namespace cleave::app {
 /// pieces apart. The half cut scores one facet near the bottom as well, which stays shut.
 PageData bar_cut_in_two();
 
+/// The bar at rest alone: no cut, material, displacement, finding or solve.
+PageData bar_at_rest();
+
 /// Numbers of what the states of the bar should show.
 inline constexpr std::size_t kBarCells = 1536, kBarSkin = 2 * (2 * 4 * 4 + 4 * 4 * 16),
                              kBarHalfCut = 16, kBarFullCut = 32;

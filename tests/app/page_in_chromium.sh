@@ -6,7 +6,8 @@ set -u
 chromium=$(command -v chromium || command -v chromium-browser) || exit 77
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-"$1" > "$work/page.html" || exit 1
+"$1" > "$work/page.html" && "$1" rest > "$work/rest.html" || exit 1
+page=page.html
 failures=0
 
 # browse FRAGMENT ARGUMENT..
@@ -14,7 +15,7 @@ browse() {
   timeout 100 "$chromium" --headless --no-sandbox --disable-quic --no-first-run \
     --disable-background-networking --disable-component-update --disable-sync \
     --user-data-dir="$(mktemp -d -p "$work")" --use-angle=swiftshader --enable-unsafe-swiftshader \
-    --virtual-time-budget=5000 --window-size=1280,800 "${@:2}" "file://$work/page.html$1" 2> "$work/log"
+    --enable-logging=stderr --virtual-time-budget=5000 --window-size=1280,800 "${@:2}" "file://$work/$page$1" 2> "$work/log"
 }
 
 # expect FRAGMENT TEXT..: the document, after it was drawn, has every TEXT.
@@ -23,10 +24,11 @@ expect() {
   for text in 'data-state="ready"' "${@:2}"; do
     grep -qF -- "$text" "$work/dom.html" && continue
     failures=$((failures + 1))
-    echo "page.html$1 has no $text; it has: $(grep -o '<html[^>]*>' "$work/dom.html")"
+    echo "$page$1 has no $text; it has: $(grep -o '<html[^>]*>' "$work/dom.html")"
     tail -5 "$work/log"
   done
   grep -o 'data-error="[^"]*"' "$work/dom.html" && failures=$((failures + 1))
+  grep 'CONSOLE' "$work/log" && failures=$((failures + 1))
 }
 
 # The page opens on the last state: cut through, both sides of 32 facets.
@@ -41,6 +43,13 @@ expect "#state=1&slice=x,0.5&colour=material" 'data-triangles="320"' 'data-skin=
   '>right &lt;/script&gt;</p>' 'x = 280 mm'
 # At rest nothing is open; what is no view is left alone.
 expect "#state=0&colour=none&slice=x,2&camera=a,b" 'data-triangles="576"' 'data-opened="0"'
+
+# With nothing but a body at rest there is no timeline, finding, plot or choice of displacement.
+page=rest.html
+expect "#colour=displacement&state=1" 'data-triangles="576"' 'data-opened="0"' '<div id="timeline" hidden' \
+  'id="findings-section" hidden' 'id="plot-section" hidden' 'id="scale-row" hidden' \
+  'data-value="plain" aria-pressed="true"'
+page=page.html
 
 # A picture of a body has far more to compress than an empty canvas with its background.
 browse "#ui=0" --hide-scrollbars --screenshot="$work/page.png" > /dev/null
