@@ -15,7 +15,7 @@
 
 #include "error.hpp"
 #include "files/input_text.hpp"
-#include "files/vtk_counts.hpp"
+#include "files/vtk_precheck.hpp"
 #include "files/vtk_files.hpp"
 #include "files/vtk_messages.hpp"
 
@@ -243,7 +243,7 @@ class GridReader {
 }  // namespace
 
 Mesh read_vtk(const std::filesystem::path& path, VtkFormat format) {
-  check_vtk_counts(path, format);
+  precheck_vtk(path, format);
   const auto grid = read_grid(path, format);
   return GridReader(path, *grid).read();
 }

@@ -1,0 +1,212 @@
+#include "files/vtk_precheck.hpp"
+
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include "files/input_text.hpp"
+#include "files/row.hpp"
+
+namespace cleave::app {
+namespace {
+
+/// The best that the compressors of .vtu files can do, in bytes per byte, with a wide margin.
+constexpr std::uint64_t kGreatestCompression = 10000;
+
+/// Requires each number that follows `keyword` to be at most `greatest`.
+void check_counts(const InputText& text, std::string_view keyword, std::uint64_t greatest) {
+  const std::string_view bytes = text.bytes();
+  for (auto at = bytes.find(keyword); at != bytes.npos; at = bytes.find(keyword, at + 1)) {
+    const char* digits = bytes.data() + at + keyword.size();
+    std::int64_t count = 0;
+    const auto [rest, error] = std::from_chars(digits, text.end(), count);
+    if (rest == digits) continue;
+    if (error == std::errc{} && count >= 0 && static_cast<std::uint64_t>(count) <= greatest)
+      continue;
+    text.fail(digits, std::string(keyword.substr(1)) + std::string(digits, rest) +
+                          " is not possible in a file of " + std::to_string(bytes.size()) +
+                          " bytes; the count is wrong or the file truncated");
+  }
+}
+
+/// The first `count` bytes that the base64 digits from `at` on stand for.
+std::array<unsigned char, 8> decode_base64(const char* at, const char* end, std::size_t count) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::array<unsigned char, 8> bytes{};
+  std::uint32_t bits = 0;
+  int bit_count = 0;
+  for (std::size_t n = 0; n < count && at != end; ++at) {
+    const auto digit = kDigits.find(*at);
+    if (digit == kDigits.npos) break;
+    bits = bits << 6 | static_cast<std::uint32_t>(digit);
+    bit_count += 6;
+    if (bit_count < 8) continue;
+    bit_count -= 8;
+    bytes[n++] = static_cast<unsigned char>(bits >> bit_count & 0xff);
+  }
+  return bytes;
+}
+
+/// The compressed data arrays of a .vtu file, each of which starts with its number of blocks.
+class CompressedBlocks {
+ public:
+  explicit CompressedBlocks(const InputText& text)
+      : text_(text),
+        bytes_(text.bytes()),
+        width_(bytes_.find("header_type=\"UInt64\"") != bytes_.npos ? 8 : 4),
+        big_endian_(bytes_.find("byte_order=\"BigEndian\"") != bytes_.npos) {}
+
+  void check() const {
+    if (bytes_.find(" compressor=\"") == bytes_.npos) return;
+    const auto appended = bytes_.find("<AppendedData");
+    const auto start = appended == bytes_.npos ? appended : bytes_.find('_', appended);
+    const std::string_view xml = bytes_.substr(0, appended);
+    for (auto tag = xml.find("<DataArray"); tag != xml.npos;
+         tag = xml.find("<DataArray", tag + 1)) {
+      const auto close = xml.find('>', tag);
+      if (close == xml.npos) return;
+      const std::string_view attributes = xml.substr(tag, close - tag);
+      if (attributes.find("format=\"binary\"") != attributes.npos)
+        check_at(xml.find_first_not_of(" \t\r\n", close + 1), true);
+      const auto offset = attributes.find(" offset=\"");
+      if (offset == attributes.npos || start == bytes_.npos) continue;
+      std::uint64_t distance = 0;
+      const char* digits = attributes.data() + offset + 9;
+      std::from_chars(digits, text_.end(), distance);
+      if (distance < bytes_.size() - start)
+        check_at(start + 1 + distance, bytes_.find("base64", appended) != bytes_.npos);
+    }
+  }
+
+ private:
+  void check_at(std::size_t at, bool base64) const {
+    if (at == bytes_.npos || at + width_ > bytes_.size()) return;
+    const char* place = bytes_.data() + at;
+    std::array<unsigned char, 8> header{};
+    if (base64)
+      header = decode_base64(place, text_.end(), width_);
+    else
+      std::memcpy(header.data(), place, width_);
+    std::uint64_t blocks = 0;
+    for (std::size_t i = 0; i < width_; ++i)
+      blocks = blocks << 8 | header[big_endian_ ? i : width_ - 1 - i];
+    if (blocks > bytes_.size())
+      text_.fail(place, "a data array claims " + std::to_string(blocks) +
+                            " compressed blocks, more than the file has bytes; it is damaged");
+  }
+
+  const InputText& text_;
+  std::string_view bytes_;
+  std::size_t width_;
+  bool big_endian_;
+};
+
+/// The integers of a legacy CELLS section in either encoding.
+class CellNumbers {
+ public:
+  CellNumbers(const InputText& text, const char* begin, bool binary)
+      : text_(text), at_(begin), binary_(binary) {}
+
+  std::int32_t next() {
+    if (!binary_) {
+      while (at_ != text_.end() && std::string_view(" \t\r\n").find(*at_) != std::string_view::npos)
+        ++at_;
+      std::int32_t value = 0;
+      const auto [rest, error] = std::from_chars(at_, text_.end(), value);
+      if (error != std::errc{})
+        text_.fail(at_, "expected a number of the CELLS section; it is shorter than it says");
+      at_ = rest;
+      return value;
+    }
+    if (text_.end() - at_ < 4) text_.fail(at_, "the CELLS section is truncated");
+    std::uint32_t value = 0;
+    for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(*at_++);
+    return static_cast<std::int32_t>(value);
+  }
+
+ private:
+  const InputText& text_;
+  const char* at_;
+  bool binary_;
+};
+
+/// Where the line that starts with `keyword` starts, or the end.
+const char* find_line(const InputText& text, std::string_view keyword) {
+  const auto at = text.bytes().find("\n" + std::string(keyword) + " ");
+  return at == std::string_view::npos ? text.end() : text.begin() + at + 1;
+}
+
+/// Versions below 5 list for each cell its number of points, then these: lengths must add up.
+void check_lengths(const InputText& text, const Row& section, std::size_t count, std::size_t size) {
+  const char* data = section.rest().data();
+  while (data != text.end() && *data++ != '\n') continue;
+  const auto before = text.bytes().substr(0, static_cast<std::size_t>(data - text.begin()));
+  CellNumbers numbers(text, data, before.find("\nBINARY") != before.npos);
+  std::size_t used = 0;
+  for (std::size_t c = 0; c < count; ++c) {
+    const std::int32_t corners = numbers.next();
+    if (corners < 0 || static_cast<std::size_t>(corners) >= size - used)
+      section.fail("cell " + std::to_string(c) + " claims " + std::to_string(corners) +
+                   " points, which does not fit the size of the CELLS section");
+    used += 1 + static_cast<std::size_t>(corners);
+    for (std::int32_t k = 0; k < corners; ++k) numbers.next();
+  }
+  if (used != size)
+    section.fail("the cells fill " + std::to_string(used) + " numbers of the CELLS section, not " +
+                 std::to_string(size));
+}
+
+void check_legacy_cells(const InputText& text) {
+  const char* const cells = find_line(text, "CELLS");
+  const char* const types = find_line(text, "CELL_TYPES");
+  if (types <= cells || types == text.end())
+    text.fail(text.end() - 1, "the file has no line CELLS followed by a line CELL_TYPES");
+  RowReader rows(text, cells, text.end());
+  Row row = rows.next("CELLS");
+  row.word();
+  std::size_t count = rows.count(row, "the number of cells");
+  const std::size_t size = rows.count(row, "the size of the CELLS section");
+  const bool has_offsets = text.bytes().substr(0, 26).find("Version 5") != std::string_view::npos;
+  if (!has_offsets)
+    check_lengths(text, row, count, size);
+  else if (count > 0)
+    --count;  // version 5 counts the offsets, one more than the cells
+  RowReader type_rows(text, types, text.end());
+  Row type_row = type_rows.next("CELL_TYPES");
+  type_row.word();
+  const std::size_t type_count = type_rows.count(type_row, "the number of cell types");
+  if (type_count != count)
+    type_row.fail("CELL_TYPES has " + std::to_string(type_count) + " entries for " +
+                  std::to_string(count) + " cells");
+}
+
+}  // namespace
+
+void precheck_vtk(const std::filesystem::path& path, VtkFormat format) {
+  require_readable_file(path);
+  const InputText text(path);
+  const std::uint64_t size = text.bytes().size();
+  if (format == VtkFormat::kXml) {
+    if (describe_content(text.bytes()) != "an XML file (.vtu?)")
+      text.fail_format("a .vtu file, which starts with <?xml or <VTKFile");
+    for (const char* keyword : {" NumberOfPoints=\"", " NumberOfCells=\"", " NumberOfTuples=\""})
+      check_counts(text, keyword, kGreatestCompression * size);
+    CompressedBlocks(text).check();
+    return;
+  }
+  if (text.bytes().substr(0, 14) != "# vtk DataFile")
+    text.fail_format("a legacy VTK file, which starts with # vtk DataFile");
+  if (text.bytes().find("\nDATASET UNSTRUCTURED_GRID") == std::string_view::npos)
+    text.fail(text.begin(),
+              "the file has no line DATASET UNSTRUCTURED_GRID, the only kind of data that is read");
+  for (const char* keyword : {"\nPOINTS ", "\nCELLS ", "\nCELL_TYPES ", "\nPOINT_DATA ",
+                              "\nCELL_DATA ", "\nFIELD FieldData "})
+    check_counts(text, keyword, size);
+  check_legacy_cells(text);
+}
+
+}  // namespace cleave::app
