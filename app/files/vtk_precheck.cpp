@@ -51,39 +51,55 @@ std::array<unsigned char, 8> decode_base64(const char* at, const char* end, std:
   return bytes;
 }
 
-/// The compressed data arrays of a .vtu file, each of which starts with its number of blocks.
-class CompressedBlocks {
+/// The value of an attribute in the text of an XML tag; empty if it has none.
+std::string_view attribute(std::string_view tag, std::string_view name) {
+  for (auto at = tag.find(name); at != tag.npos; at = tag.find(name, at + 1)) {
+    const auto quote = at + name.size() + 1;
+    if (at == 0 || tag[at - 1] > ' ' || quote >= tag.size() || tag[quote - 1] != '=') continue;
+    return tag.substr(quote + 1, tag.find(tag[quote], quote + 1) - quote - 1);
+  }
+  return {};
+}
+
+/// The data arrays of a .vtu file. Each must say where its data is; compressed ones start with
+/// their number of blocks.
+class DataArrays {
  public:
-  explicit CompressedBlocks(const InputText& text)
+  explicit DataArrays(const InputText& text)
       : text_(text),
         bytes_(text.bytes()),
+        compressed_(bytes_.find(" compressor=") != bytes_.npos),
         width_(bytes_.find("header_type=\"UInt64\"") != bytes_.npos ? 8 : 4),
-        big_endian_(bytes_.find("byte_order=\"BigEndian\"") != bytes_.npos) {}
+        big_endian_(bytes_.find("byte_order=\"BigEndian\"") != bytes_.npos),
+        appended_(bytes_.find("<AppendedData")) {}
 
   void check() const {
-    if (bytes_.find(" compressor=\"") == bytes_.npos) return;
-    const auto appended = bytes_.find("<AppendedData");
-    const auto start = appended == bytes_.npos ? appended : bytes_.find('_', appended);
-    const std::string_view xml = bytes_.substr(0, appended);
-    for (auto tag = xml.find("<DataArray"); tag != xml.npos;
-         tag = xml.find("<DataArray", tag + 1)) {
-      const auto close = xml.find('>', tag);
+    const std::string_view xml = bytes_.substr(0, appended_);
+    for (auto at = xml.find("<DataArray"); at != xml.npos; at = xml.find("<DataArray", at + 1)) {
+      const auto close = xml.find('>', at);
       if (close == xml.npos) return;
-      const std::string_view attributes = xml.substr(tag, close - tag);
-      if (attributes.find("format=\"binary\"") != attributes.npos)
-        check_at(xml.find_first_not_of(" \t\r\n", close + 1), true);
-      const auto offset = attributes.find(" offset=\"");
-      if (offset == attributes.npos || start == bytes_.npos) continue;
-      std::uint64_t distance = 0;
-      const char* digits = attributes.data() + offset + 9;
-      std::from_chars(digits, text_.end(), distance);
-      if (distance < bytes_.size() - start)
-        check_at(start + 1 + distance, bytes_.find("base64", appended) != bytes_.npos);
+      check_array(xml.substr(at, close - at), xml.find_first_not_of(" \t\r\n", close + 1));
     }
   }
 
  private:
-  void check_at(std::size_t at, bool base64) const {
+  void check_array(std::string_view tag, std::size_t content) const {
+    const std::string_view format = attribute(tag, "format");
+    if (format != "ascii" && format != "binary" && format != "appended")
+      text_.fail(tag.data(), "a data array must have the format ascii, binary or appended");
+    if (format == "binary" && compressed_) check_blocks(content, true);
+    if (format != "appended") return;
+    const std::string_view offset = attribute(tag, "offset");
+    std::size_t distance = 0;
+    const auto error = std::from_chars(offset.data(), offset.data() + offset.size(), distance).ec;
+    const auto start = appended_ == bytes_.npos ? appended_ : bytes_.find('_', appended_);
+    if (error != std::errc{} || start == bytes_.npos || distance >= bytes_.size() - start)
+      text_.fail(tag.data(), "a data array of format appended has no data at its offset");
+    const auto base64 = bytes_.substr(appended_, start - appended_).find("base64");
+    if (compressed_) check_blocks(start + 1 + distance, base64 != bytes_.npos);
+  }
+
+  void check_blocks(std::size_t at, bool base64) const {
     if (at == bytes_.npos || at + width_ > bytes_.size()) return;
     const char* place = bytes_.data() + at;
     std::array<unsigned char, 8> header{};
@@ -101,8 +117,10 @@ class CompressedBlocks {
 
   const InputText& text_;
   std::string_view bytes_;
+  bool compressed_;
   std::size_t width_;
   bool big_endian_;
+  std::size_t appended_;
 };
 
 /// The integers of a legacy CELLS section in either encoding.
@@ -195,7 +213,7 @@ void precheck_vtk(const std::filesystem::path& path, VtkFormat format) {
       text.fail_format("a .vtu file, which starts with <?xml or <VTKFile");
     for (const char* keyword : {" NumberOfPoints=\"", " NumberOfCells=\"", " NumberOfTuples=\""})
       check_counts(text, keyword, kGreatestCompression * size);
-    CompressedBlocks(text).check();
+    DataArrays(text).check();
     return;
   }
   if (text.bytes().substr(0, 14) != "# vtk DataFile")

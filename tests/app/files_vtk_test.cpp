@@ -125,6 +125,19 @@ TEST_F(Vtk, DamagedBlockCountsDoNotTakeTimeOrMemory) {
   expect_reading_error(put("a.vtu", text), {"a.vtu:6:", "compressed blocks", "damaged"});
 }
 
+TEST_F(Vtk, DataArraysMustSayWhereTheirDataIs) {
+  const std::string good = vtu("0 1 2 3", "4", "10");
+  for (const char* format : {"formal=\"ascii\"", "format=\"text\"", "format=\"appended\"",
+                             "format=\"appended\" offset=\"0\""}) {
+    std::string text = good;
+    text.replace(text.find("format=\"ascii\""), 14, format);
+    expect_reading_error(put("a.vtu", text), {"a.vtu:3:", "data array"});
+  }
+  std::string quoted = good;
+  quoted.replace(quoted.find("format=\"ascii\""), 14, "format='ascii'");
+  EXPECT_EQ(read_mesh(put("a.vtu", quoted)).points.size(), 4u);
+}
+
 TEST_F(Vtk, TruncatedFilesAreRefusedOrWhole) {
   write_mesh(path("whole.vtu"), grouped_mesh());
   write_mesh(path("whole.vtk"), grouped_mesh());
