@@ -230,17 +230,15 @@ std::vector<HalfFacetId> dual_edge(std::span<const Cell<D>> cells,
 }
 
 template <int D>
-std::vector<HalfFacetId> nearest_vertex(std::span<const Cell<D>> cells,
-                                        const std::vector<Point<D>>& points,
-                                        std::span<const Simplex<D>> simplices, Ties ties) {
+ClosestEnds closest_ends(std::span<const Cell<D>> cells, const std::vector<Point<D>>& points,
+                         std::span<const Simplex<D>> simplices, Ties ties) {
   std::set<std::pair<VertexId, VertexId>> edges;
   for (const Cell<D>& cell : cells)
     for (const VertexId v : cell)
       for (const VertexId w : cell)
         if (v < w) edges.emplace(v, w);
 
-  // (edge, end of it closest to a crossing)
-  std::set<std::pair<std::pair<VertexId, VertexId>, VertexId>> closest;
+  ClosestEnds closest;
   for (const Simplex<D>& simplex : simplices) {
     if (is_flat<D>(simplex)) continue;
     const std::vector<int> side = sides<D>(simplex, points);
@@ -253,11 +251,16 @@ std::vector<HalfFacetId> nearest_vertex(std::span<const Cell<D>> cells,
     }
   }
 
+  return closest;
+}
+
+template <int D>
+std::vector<HalfFacetId> nearest_vertex(std::span<const Cell<D>> cells, const ClosestEnds& ends) {
   std::vector<std::set<VertexId>> sets(cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c)
     for (const VertexId v : cells[c])
       for (const VertexId w : cells[c])
-        if (v != w && closest.count({std::minmax(v, w), v})) sets[c].insert(v);
+        if (v != w && ends.count({std::minmax(v, w), v})) sets[c].insert(v);
 
   const std::vector<std::optional<HalfFacetId>> mates = support::mates_of<D>(cells);
   std::set<HalfFacetId> chosen;
@@ -288,11 +291,11 @@ template std::vector<HalfFacetId> dual_edge<2>(std::span<const Cell<2>>,
 template std::vector<HalfFacetId> dual_edge<3>(std::span<const Cell<3>>,
                                                const std::vector<Point<3>>&,
                                                std::span<const Simplex<3>>);
-template std::vector<HalfFacetId> nearest_vertex<2>(std::span<const Cell<2>>,
-                                                    const std::vector<Point<2>>&,
-                                                    std::span<const Simplex<2>>, Ties);
-template std::vector<HalfFacetId> nearest_vertex<3>(std::span<const Cell<3>>,
-                                                    const std::vector<Point<3>>&,
-                                                    std::span<const Simplex<3>>, Ties);
+template ClosestEnds closest_ends<2>(std::span<const Cell<2>>, const std::vector<Point<2>>&,
+                                     std::span<const Simplex<2>>, Ties);
+template ClosestEnds closest_ends<3>(std::span<const Cell<3>>, const std::vector<Point<3>>&,
+                                     std::span<const Simplex<3>>, Ties);
+template std::vector<HalfFacetId> nearest_vertex<2>(std::span<const Cell<2>>, const ClosestEnds&);
+template std::vector<HalfFacetId> nearest_vertex<3>(std::span<const Cell<3>>, const ClosestEnds&);
 
 }  // namespace cleave::cutting::rational

@@ -1,6 +1,8 @@
 #pragma once
 #include <array>
+#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "cleave/cutting/select.hpp"
@@ -41,11 +43,20 @@ std::vector<topology::HalfFacetId> dual_edge(std::span<const topology::Cell<D>> 
                                              const std::vector<Point<D>>& duals,
                                              std::span<const Simplex<D>> simplices);
 
-/// The interior facets that sets of exactly D closest vertices select: all cells against all
-/// simplices.
+/// Edges (lesser vertex first) that some simplex crosses, each with its end closest to a crossing.
+using ClosestEnds =
+    std::set<std::pair<std::pair<topology::VertexId, topology::VertexId>, topology::VertexId>>;
+
+/// All edges against all simplices.
+template <int D>
+ClosestEnds closest_ends(std::span<const topology::Cell<D>> cells,
+                         const std::vector<Point<D>>& points, std::span<const Simplex<D>> simplices,
+                         Ties ties);
+
+/// The interior facets that cells with exactly D of their vertices among the ends of their edges
+/// select.
 template <int D>
 std::vector<topology::HalfFacetId> nearest_vertex(std::span<const topology::Cell<D>> cells,
-                                                  const std::vector<Point<D>>& points,
-                                                  std::span<const Simplex<D>> simplices, Ties ties);
+                                                  const ClosestEnds& ends);
 
 }  // namespace cleave::cutting::rational

@@ -48,8 +48,8 @@ void nearest_vertex_agrees() {
   const Sweep<D> sweep = bodies::any_sweep(body, rng);
   const Ties ties = rng.chance(0.5) ? Ties::by_id : Ties::both;
   const Selector<D> selector(body.k, body.points, {Rule::nearest_vertex, ties});
-  const auto expected =
-      rational::nearest_vertex<D>(body.k.cells(), body.points, sweep.simplices, ties);
+  const auto ends = rational::closest_ends<D>(body.k.cells(), body.points, sweep.simplices, ties);
+  const auto expected = rational::nearest_vertex<D>(body.k.cells(), ends);
   RC_CLASSIFY(expected.empty(), "nothing chosen");
   RC_ASSERT(list(selector.select(sweep.simplices)) == expected);
 }

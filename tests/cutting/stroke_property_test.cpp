@@ -32,8 +32,9 @@ class Model {
   void stroke(const Sweep<D>& sweep) {
     const std::set<HalfFacetId> by_others = scored_;
     std::set<HalfFacetId> own;
+    rational::ClosestEnds ends;
     for (std::size_t k = 0; k < sweep.step_count(); ++k) {
-      const auto chosen = choice(sweep, k);
+      const auto chosen = choice(sweep, k, ends);
       for (const HalfFacetId h : support::interior_facets<D>(now_))
         if (options_.rule == Rule::dual_edge ? chosen.count(h) > 0
                                              : chosen.count(h) != own.count(h))
@@ -52,14 +53,20 @@ class Model {
   std::vector<HalfFacetId> opened() const { return support::opened_facets<D>(original_, now_); }
 
  private:
-  /// dual_edge: what step k chooses; nearest_vertex: what the steps up to k choose.
-  std::set<HalfFacetId> choice(const Sweep<D>& sweep, std::size_t k) const {
+  /// dual_edge: what step k chooses; nearest_vertex: what the steps up to k choose, whose closest
+  /// vertices `ends` are.
+  std::set<HalfFacetId> choice(const Sweep<D>& sweep, std::size_t k,
+                               rational::ClosestEnds& ends) const {
     const auto [first, last] = sweep.step(k);
-    const std::span<const rational::Simplex<D>> all(sweep.simplices);
-    const auto chosen =
-        options_.rule == Rule::dual_edge
-            ? rational::dual_edge<D>(original_, duals_, all.subspan(first, last - first))
-            : rational::nearest_vertex<D>(original_, points_, all.first(last), options_.ties);
+    const auto step =
+        std::span<const rational::Simplex<D>>(sweep.simplices).subspan(first, last - first);
+    std::vector<HalfFacetId> chosen;
+    if (options_.rule == Rule::dual_edge) {
+      chosen = rational::dual_edge<D>(original_, duals_, step);
+    } else {
+      ends.merge(rational::closest_ends<D>(original_, points_, step, options_.ties));
+      chosen = rational::nearest_vertex<D>(original_, ends);
+    }
     return {chosen.begin(), chosen.end()};
   }
 
