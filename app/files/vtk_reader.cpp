@@ -15,9 +15,9 @@
 
 #include "error.hpp"
 #include "files/input_text.hpp"
-#include "files/vtk_precheck.hpp"
 #include "files/vtk_files.hpp"
 #include "files/vtk_messages.hpp"
+#include "files/vtk_precheck.hpp"
 
 namespace cleave::app {
 namespace {
