@@ -7,6 +7,7 @@
 
 #include "body.hpp"
 #include "cleave/topology/check.hpp"
+#include "file_words.hpp"
 #include "geometry_check.hpp"
 
 namespace cleave::app {
@@ -63,12 +64,14 @@ std::string text_of(const CheckReport& report, std::size_t at_most, bool summary
   if (!summary) return text;
   const std::size_t errors = report.errors(), warnings = report.findings.size() - errors;
   return text + fmt::format(
-                    "{}: dimension {}, {} cells, {} vertices, {} pieces, {} boundary "
-                    "components, Euler characteristic {}; level {}; {} errors, {} warnings\n",
-                    report.source, report.dimension, report.cells, report.vertices,
-                    report.topology.pieces, report.topology.boundary_components,
-                    report.topology.euler_characteristic, topology::name(report.level), errors,
-                    warnings);
+                    "{}: dimension {}, {}, {}, {}, {}, Euler characteristic {}; level {}; "
+                    "{}, {}\n",
+                    report.source, report.dimension, counted(report.cells, "cell"),
+                    counted(report.vertices, "vertex", "vertices"),
+                    counted(report.topology.pieces, "piece"),
+                    counted(report.topology.boundary_components, "boundary component"),
+                    report.topology.euler_characteristic, topology::name(report.level),
+                    counted(errors, "error"), counted(warnings, "warning"));
 }
 
 }  // namespace cleave::app

@@ -25,16 +25,16 @@ void report_regularized(const Body<D>& body, const CutOptions& options, CutResul
   for (const auto& split : body.regularized) vertices.insert(body.number(split.vertex));
   if (vertices.empty()) return;
   const std::string which = listed({vertices.begin(), vertices.end()});
+  const std::string found = fmt::format("{}: {} not cut-regular", options.mesh,
+                                        counted(vertices.size(), "vertex is", "vertices are"));
   if (options.strict)
     throw InputError(
-        fmt::format("{}: {} vertices are not cut-regular: {}; mend the mesh, or leave out --strict "
-                    "to give each "
-                    "of their parts a copy",
-                    options.mesh, vertices.size(), which));
-  result.warnings.push_back(fmt::format(
-      "{}: {} vertices are not cut-regular; each part of their cells beyond the first gets a copy "
-      "({} copies): {}",
-      options.mesh, vertices.size(), body.regularized.size(), which));
+        fmt::format("{}: {}; mend the mesh, or leave out --strict to give each of "
+                    "their parts a copy",
+                    found, which));
+  result.warnings.push_back(fmt::format("{}; the parts of their cells are separated by {}: {}",
+                                        found, counted(body.regularized.size(), "copy", "copies"),
+                                        which));
 }
 
 // The facets asked for by name, number or --all.

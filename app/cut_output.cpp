@@ -8,6 +8,7 @@
 #include "cleave/topology/pieces.hpp"
 #include "error.hpp"
 #include "facet_groups.hpp"
+#include "file_words.hpp"
 #include "mesh_fields.hpp"
 
 namespace cleave::app {
@@ -61,14 +62,13 @@ void warn_of_dropped(const Mesh& mesh, const std::vector<VertexId>& used, Number
   std::vector<bool> in_use(mesh.points.size());
   for (const VertexId v : used)
     if (v.value < in_use.size()) in_use[v.value] = true;
-  const auto dropped = std::count(in_use.begin(), in_use.end(), false);
+  const auto dropped = static_cast<std::size_t>(std::count(in_use.begin(), in_use.end(), false));
   if (dropped == 0) return;
   const auto first =
       static_cast<std::size_t>(std::find(in_use.begin(), in_use.end(), false) - in_use.begin());
   output.warnings.push_back(fmt::format(
-      "{} {} dropped, because no cell uses {} (the first is vertex {}){}", dropped,
-      dropped == 1 ? "vertex is" : "vertices are", dropped == 1 ? "it" : "them",
-      mesh.vertex_numbers[first],
+      "{} dropped, because no cell uses them (the first is vertex {}){}",
+      counted(dropped, "vertex is", "vertices are"), mesh.vertex_numbers[first],
       numbering == Numbering::kept ? ""
                                    : "; vertices behind it are renumbered, since this format "
                                      "numbers them by place"));

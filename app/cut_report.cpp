@@ -82,8 +82,8 @@ CutReport report_on(const Body<D>& body, const Incision<D>& incision, const CutO
 
 std::string text_of(const CutReport& report, const std::string& source, bool explain) {
   std::string text = fmt::format(
-      "{}: {} facets: {} opened, {} shut{}; {} -> {} pieces; {} -> {} vertices; {} cells\n", source,
-      report.requested, report.opened, report.shut,
+      "{}: {}: {} opened, {} shut{}; pieces {} -> {}; vertices {} -> {}; cells {}\n", source,
+      counted(report.requested, "facet"), report.opened, report.shut,
       report.not_interior == 0 ? "" : fmt::format(", {} on the boundary", report.not_interior),
       report.pieces_before, report.pieces_after, report.vertices_before, report.vertices_after,
       report.cells);

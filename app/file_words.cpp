@@ -42,6 +42,10 @@ std::string listed(const std::vector<std::uint64_t>& numbers) {
   return fmt::format("{}", fmt::join(numbers, " "));
 }
 
+std::string counted(std::size_t count, const std::string& word, const std::string& plural) {
+  return fmt::format("{} {}", count, count == 1 ? word : plural.empty() ? word + "s" : plural);
+}
+
 namespace {
 
 using namespace topology;

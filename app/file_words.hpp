@@ -26,6 +26,10 @@ topology::CellId cell_of(const Mesh& mesh, topology::HalfFacetId h);
 /// "3 17 24"
 std::string listed(const std::vector<std::uint64_t>& numbers);
 
+/// "1 vertex", "3 vertices": a count with its word in the right number. `plural` is given where it
+/// is not the word and an s.
+std::string counted(std::size_t count, const std::string& word, const std::string& plural = {});
+
 /// One line: what is wrong and where, in the numbers of `mesh`, whose cells the violation is about.
 std::string describe_in_file(const topology::Violation& violation, const Mesh& mesh);
 

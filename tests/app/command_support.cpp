@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <sstream>
 
@@ -38,18 +39,26 @@ Outcome CommandTest::cleave(const std::vector<std::string>& args) const {
 }
 
 Outcome CommandTest::run(const std::vector<std::string>& command) const {
-  const auto out = folder_.string() + ".out", err = folder_.string() + ".err";
+  return finish(start(command));
+}
+
+int CommandTest::start(const std::vector<std::string>& command) const {
   std::vector<char*> argv;
   for (const std::string& arg : command) argv.push_back(const_cast<char*>(arg.c_str()));
   argv.push_back(nullptr);
+  const std::string out = folder_.string() + ".out", err = folder_.string() + ".err";
   const pid_t child = fork();
-  if (child == 0) {
-    const int to_out = open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    const int to_err = open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    if (chdir(folder_.c_str()) == 0 && dup2(to_out, 1) == 1 && dup2(to_err, 2) == 2)
-      execvp(argv[0], argv.data());
-    _exit(127);
-  }
+  if (child != 0) return child;
+  signal(SIGINT, SIG_DFL);  // a test that runs in the background ignores it
+  const int to_out = open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  const int to_err = open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  if (chdir(folder_.c_str()) == 0 && dup2(to_out, 1) == 1 && dup2(to_err, 2) == 2)
+    execvp(argv[0], argv.data());
+  _exit(127);
+}
+
+Outcome CommandTest::finish(int child) const {
+  const std::string out = folder_.string() + ".out", err = folder_.string() + ".err";
   int state = 0;
   waitpid(child, &state, 0);
   Outcome outcome{WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state), content(out),
@@ -152,6 +161,24 @@ std::string solid_band(int n) {
     tetrahedra.push_back({c, d, e, f, 0});
   }
   return medit(points, {}, tetrahedra);
+}
+
+std::string suspended_annulus() {
+  constexpr int kCorners = 6;
+  std::vector<Point> points{{0, 0, 1}, {0, 0, -1}};
+  std::vector<Tuple> cells;
+  for (const double radius : {1.0, 2.0})
+    for (int i = 0; i < kCorners; ++i)
+      points.push_back({radius * std::cos(2 * M_PI * i / kCorners),
+                        radius * std::sin(2 * M_PI * i / kCorners), 0});
+  for (int i = 0; i < kCorners; ++i) {
+    const int a = 3 + i, b = 3 + (i + 1) % kCorners, c = a + kCorners, d = b + kCorners;
+    for (const int apex : {1, 2}) {
+      cells.push_back(apex == 1 ? Tuple{a, c, d, apex, 0} : Tuple{c, a, d, apex, 0});
+      cells.push_back(apex == 1 ? Tuple{a, d, b, apex, 0} : Tuple{d, a, b, apex, 0});
+    }
+  }
+  return medit(points, {}, cells);
 }
 
 std::string solid_torus_with_moebius_band() {

@@ -26,6 +26,10 @@ class CommandTest : public testing::Test {
   /// Runs another program, found on PATH, in the folder.
   Outcome run(const std::vector<std::string>& command) const;
 
+  /// The same in two parts: `start` returns the process, `finish` waits for its end. One at a time.
+  int start(const std::vector<std::string>& command) const;
+  Outcome finish(int child) const;
+
   /// Writes a file into the folder.
   void write(const std::string& name, const std::string& text) const;
 
@@ -63,8 +67,11 @@ std::string band(int n, bool twisted);
 /// so that no orientation exists. n >= 5.
 std::string solid_band(int n);
 
-/// A solid torus, some of its cells mirrored, that is cut all the way through by a Moebius band of
-/// facets in group 9.
+/// The suspension of an annulus: cells around its two apices form one part each, but the link of an
+/// apex is an annulus, so that it is cut-regular and no manifold.
+std::string suspended_annulus();
+
+/// A solid torus, some of its cells mirrored, that a Moebius band of facets, group 9, cuts through.
 std::string solid_torus_with_moebius_band();
 
 }  // namespace cleave::app::test
