@@ -27,32 +27,45 @@ std::array<VertexId, static_cast<std::size_t>(D) - 1> facet_key(const std::vecto
   const Cell<D>& cell = cells[cell_of<D>(h).value];
   for (std::size_t from = 0, to = 0; from < cell.size(); ++from)
     if (static_cast<int>(from) != local_index<D>(h)) facet[to++] = cell[from];
-  std::sort(facet.begin(), facet.end());
+  for (std::size_t end = facet.size();
+       end-- > 1;)  // a network without branches: the order is random
+    for (std::size_t i = 0; i < end; ++i) {
+      const VertexId low = std::min(facet[i], facet[i + 1]);
+      facet[i + 1] = std::max(facet[i], facet[i + 1]);
+      facet[i] = low;
+    }
   std::array<VertexId, static_cast<std::size_t>(D) - 1> key{};
   std::copy(facet.begin() + 1, facet.end(), key.begin());
   return key;
 }
 
+/// Calls visit(h, the least vertex of h) for all half-facets, ascending.
+template <int D, class Visit>
+void for_each_least_vertex(const std::vector<Cell<D>>& cells, Visit visit) {
+  std::uint32_t h = 0;
+  for (const Cell<D>& cell : cells) {
+    VertexId least = std::min(cell[0], cell[1]), second = std::max(cell[0], cell[1]);
+    for (std::size_t i = 2; i < cell.size(); ++i) {
+      second = std::min(second, std::max(least, cell[i]));
+      least = std::min(least, cell[i]);
+    }
+    for (const VertexId apex : cell) visit(HalfFacetId{h++}, apex == least ? second : least);
+  }
+}
+
 /// Matches half-facets with the same vertices. Requires sound cells: D+1 distinct vertices below
 /// vertex_count. A counting sort by least vertex puts the half-facets of a facet into one bucket;
-/// a bucket is sorted by the other vertices. Time: linear, and n log n in a bucket; memory: 4 bytes
-/// per half-facet and per vertex.
+/// a bucket is searched by the other vertices. Time: linear, and n log n in a large bucket; memory:
+/// 4 bytes per half-facet and per vertex.
 template <int D>
 FacetMatching match_facets(const std::vector<Cell<D>>& cells, std::size_t vertex_count) {
   const auto half_facets = static_cast<std::uint32_t>(cells.size() * (D + 1));
-  const auto least_vertex = [&](std::uint32_t h) {
-    const Cell<D>& cell = cells[h / (D + 1)];
-    VertexId least{UINT32_MAX};
-    for (std::uint32_t i = 0; i <= D; ++i)
-      if (i != h % (D + 1)) least = std::min(least, cell[i]);
-    return least.value;
-  };
   std::vector<std::uint32_t> bucket_end(vertex_count + 1, 0);  // start until filled, then end
-  for (std::uint32_t h = 0; h < half_facets; ++h) ++bucket_end[least_vertex(h) + 1];
+  for_each_least_vertex<D>(cells, [&](HalfFacetId, VertexId v) { ++bucket_end[v.value + 1]; });
   for (std::size_t v = 0; v < vertex_count; ++v) bucket_end[v + 1] += bucket_end[v];
   std::vector<HalfFacetId> sorted(half_facets);
-  for (std::uint32_t h = 0; h < half_facets; ++h)
-    sorted[bucket_end[least_vertex(h)]++] = HalfFacetId{h};
+  for_each_least_vertex<D>(cells,
+                           [&](HalfFacetId h, VertexId v) { sorted[bucket_end[v.value]++] = h; });
 
   FacetMatching result;
   result.mates.assign(half_facets, HalfFacetId{kNone});
@@ -82,6 +95,25 @@ FacetMatching match_facets(const std::vector<Cell<D>>& cells, std::size_t vertex
                                          cell_of<D>(other->half_facet));
     }
   };
+  // Nearly all buckets are small and hold facets of one cell or two: those are compared pair by
+  // pair, which needs no branch that is hard to foresee. If there is more to a bucket, nothing is
+  // matched.
+  const auto match_plain = [&](const std::vector<Entry>& bucket) {
+    constexpr std::size_t kSmall = 64;
+    if (bucket.size() > kSmall) return false;
+    bool plain = true;
+    for (auto one = bucket.begin(); one != bucket.end(); ++one)
+      for (auto other = one + 1; other != bucket.end(); ++other) {
+        if (one->key != other->key) continue;
+        HalfFacetId& mate = result.mates[one->half_facet.value];
+        plain = plain && mate.value == kNone && !is_duplicate(one->half_facet, other->half_facet);
+        mate = other->half_facet;
+        result.mates[other->half_facet.value] = one->half_facet;
+      }
+    if (!plain)
+      for (const Entry& entry : bucket) result.mates[entry.half_facet.value] = HalfFacetId{kNone};
+    return plain;
+  };
   std::vector<Entry> bucket;
   std::size_t begin = 0;
   for (std::size_t v = 0; v < vertex_count; ++v) {
@@ -90,6 +122,7 @@ FacetMatching match_facets(const std::vector<Cell<D>>& cells, std::size_t vertex
     for (std::size_t n = begin; n < end; ++n)
       bucket.push_back({facet_key<D>(cells, sorted[n]), sorted[n]});
     begin = end;
+    if (match_plain(bucket)) continue;
     std::sort(bucket.begin(), bucket.end());
     for (auto first = bucket.begin(); first != bucket.end();) {
       auto last = first + 1;
