@@ -149,6 +149,30 @@ TEST_F(RunCommand, TheCubeIsTornApart) {
   expect_valid_summary("out");
 }
 
+TEST_F(RunCommand, GroupsOfAFileAreHeldFilledAndCut) {
+  const Outcome result = run_scene(R"({"mesh": {"file": ")" + data("fault.msh") + R"("},
+    "material": {"groups": {"rock": {"young": 1, "poisson": 0.25}}},
+    "supports": [{"where": {"group": "base"}}],
+    "loads": [{"where": {"half_space": {"point": [4,0,0], "normal": [1,0,0]}},
+               "traction": [0.01,0.01,0]}],
+    "strokes": [{"group": "fault"}, {"name": "branch", "group": ["branch", "fault"]}],
+    "solve": {}})");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json s = summary();
+  const json &fault = s["strokes"][0], &branch = s["strokes"][1];
+  EXPECT_EQ(fault["facets"]["requested"], fault["facets"]["opened"]);
+  EXPECT_EQ(fault["facets"]["newly_opened"], fault["facets"]["opened"]);
+  EXPECT_EQ(branch["facets"]["opened"].get<int>(),
+            fault["facets"]["opened"].get<int>() + branch["facets"]["newly_opened"].get<int>());
+  EXPECT_GT(fault["gap"]["mean"].get<double>(), 0.0);
+  EXPECT_NE(fault["gap"]["mean"], fault["final_gap"]["mean"]);  // the branch let it open further
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/final.vtu.groups.json"));  // names "rock"
+
+  // Another run into the same folder, whose mesh has no groups, leaves no stale names behind.
+  ASSERT_EQ(run_scene("{" + kCube + "}").status, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/final.vtu.groups.json"));
+}
+
 TEST_F(RunCommand, TheDemoScenesFitTheSchemaOfScenes) {
   expect_valid(data("liver.scene.json"), "cleave-scene-1.schema.json");
   expect_valid(data("cube.scene.json"), "cleave-scene-1.schema.json");

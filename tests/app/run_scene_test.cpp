@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "error.hpp"
 #include "scene.hpp"
@@ -144,6 +147,19 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{R"({"mesh": {"cube": {"nodes": [1,2,2], "size": [1,1,1]}}})",
                 {"/mesh/cube/nodes/0", "at least 2"}},
         Refused{R"({"mesh": {"file": "a", "cube": {}}})", {"/mesh", "exclude"}}));
+
+TEST(Scene, TheExamplesOfTheGuideAreScenes) {
+  std::ifstream in(CLEAVE_DATA "/../docs/scenes.md");
+  const std::string guide{std::istreambuf_iterator<char>(in), {}};
+  const std::string open = "```json\n", close = "```";
+  int examples = 0;
+  for (auto at = guide.find(open); at != std::string::npos; at = guide.find(open, at + 1)) {
+    const auto begin = at + open.size();
+    parsed(guide.substr(begin, guide.find(close, begin) - begin));
+    ++examples;
+  }
+  EXPECT_EQ(examples, 3);
+}
 
 TEST(Scene, AMissingFileIsNamed) {
   try {
