@@ -61,28 +61,31 @@ Mesh<D> pinched(Rng& rng) {
   return sub_mesh<D>(grid, keep);
 }
 
+/// A grid without one of its inner cubes.
 template <int D>
-Mesh<D> hollow(Rng& rng) {
+Mesh<D> without_a_cube(Rng& rng) {
+  const KuhnGrid<D> grid = random_grid<D>(rng, 4);
+  Point<D> hole{};
+  for (std::size_t axis = 0; axis < hole.size(); ++axis)
+    hole[axis] = rng.between(1, grid.nodes[axis] - 3);
+  std::vector<bool> keep(grid.cells.size());
+  for (std::size_t c = 0; c < keep.size(); ++c) keep[c] = grid.cube(c) != hole;
+  return sub_mesh<D>(grid, keep);
+}
+
+/// A small grid without the star of an inner vertex.
+template <int D>
+Mesh<D> without_a_star(Rng& rng) {
   Point<D> nodes{};
-  if (D <= 2)
-    return [&] {
-      const KuhnGrid<D> grid = random_grid<D>(rng, 4);
-      std::vector<bool> keep(grid.cells.size());
-      Point<D> hole{};
-      for (std::size_t axis = 0; axis < hole.size(); ++axis)
-        hole[axis] = rng.between(1, grid.nodes[axis] - 3);
-      for (std::size_t c = 0; c < keep.size(); ++c) keep[c] = grid.cube(c) != hole;
-      return sub_mesh<D>(grid, keep);
-    }();
   nodes.fill(3);
   if (D == 3) nodes[rng.below(nodes.size())] = 4;
   const KuhnGrid<D> grid(nodes);
   Point<D> middle{};
   middle.fill(1);
+  const VertexId gone = grid.vertex(middle);
   std::vector<bool> keep(grid.cells.size());
   for (std::size_t c = 0; c < keep.size(); ++c)
-    keep[c] = std::find(grid.cells[c].begin(), grid.cells[c].end(), grid.vertex(middle)) ==
-              grid.cells[c].end();
+    keep[c] = std::find(grid.cells[c].begin(), grid.cells[c].end(), gone) == grid.cells[c].end();
   return sub_mesh<D>(grid, keep);
 }
 
@@ -210,7 +213,7 @@ Mesh<D> random_mesh(MeshClass mesh_class, Rng& rng) {
       mesh = pinched<D>(rng);
       break;
     case MeshClass::hollow:
-      mesh = hollow<D>(rng);
+      mesh = D <= 2 ? without_a_cube<D>(rng) : without_a_star<D>(rng);
       break;
     case MeshClass::stellar:
       mesh = small_mesh<D>(rng);
