@@ -125,6 +125,18 @@ TYPED_TEST(T7, EveryAdmissibleSplittingIsCoarser) {
   });
 }
 
+/// The corners that a facet's two cells have at `vertex` of `k`.
+template <int D>
+std::vector<CornerId> corners_at(const Complex<D>& k, const OpenedFacet& facet, VertexId vertex) {
+  std::vector<CornerId> corners;
+  for (const HalfFacetId side : {facet.half_facet, facet.former_mate})
+    for (int i = 0; i <= D; ++i) {
+      const CornerId corner = half_facet<D>(cell_of<D>(side), i);
+      if (corner != side && k.vertex(corner) == vertex) corners.push_back(corner);
+    }
+  return corners;
+}
+
 TYPED_TEST(T8, ALargerCutSeparatesMore) {
   constexpr int D = TypeParam::value;
   for_all<D>([](const Trial<D>& trial) {
@@ -152,10 +164,14 @@ TYPED_TEST(T8, StagesThatRememberShutFacetsEqualOneCut) {
     RC_ASSERT(staged.scored() == once.facets);
     RC_ASSERT(staged.shut() == FacetSet::of_lesser(once.change.shut));
     RC_ASSERT(opened == once.change.opened.size());
-    RC_ASSERT(staged.opened().size() == opened);
+    const std::vector<OpenedFacet> all = staged.opened();
+    RC_ASSERT(all.size() == opened);
     for (std::size_t i = 0; i < opened; ++i) {
-      RC_ASSERT(staged.opened()[i].half_facet == once.change.opened[i].half_facet);
-      RC_ASSERT(staged.opened()[i].former_mate == once.change.opened[i].former_mate);
+      RC_ASSERT(all[i].half_facet == once.change.opened[i].half_facet);
+      RC_ASSERT(all[i].former_mate == once.change.opened[i].former_mate);
+      const auto corners = corners_at<D>(once.before, all[i], all[i].by);
+      RC_ASSERT(corners.size() == 2U);  // `by` is a vertex of the original facet, and separates it
+      RC_ASSERT(staged.complex().vertex(corners[0]) != staged.complex().vertex(corners[1]));
     }
   });
 }
