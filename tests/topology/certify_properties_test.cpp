@@ -115,6 +115,7 @@ bool shows(const Rejection& rejection, const Cells<D>& before, const FacetSet& c
     case Rejection::Clause::class_not_connected: {
       const auto apart = support::algorithm_3<D>(before, cut.half_facets());
       return vertex(after, one) == vertex(after, other) &&
+             vertex(before, one) == vertex(before, other) &&
              vertex(apart, one) != vertex(apart, other);
     }
   }
