@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "cleave/topology/cell_soup.hpp"
+
 namespace cleave::topology {
 namespace {
 
@@ -83,6 +85,7 @@ std::optional<Rejection> certify(std::span<const Cell<D>> before, std::span<cons
                                  std::span<const Cell<D>> after) {
   using Clause = Rejection::Clause;
   if (before.size() != after.size()) return Rejection{Clause::not_comparable};
+  require_ids_suffice(D, before.size(), 0);
 
   // (b), and the classes of corners that (c) is about.
   std::vector<HalfFacetId> sorted_cut(cut.begin(), cut.end());

@@ -55,17 +55,55 @@ FacetSet Incision<D>::facets(std::span<const HalfFacetId> half_facets) const {
 
 template <int D>
 Relabelling Incision<D>::cut(const FacetSet& facets, Verify verify) {
-  std::vector<HalfFacetId> asked(shut_.half_facets().begin(), shut_.half_facets().end());
+  std::vector<HalfFacetId> lesser(shut_.half_facets().begin(), shut_.half_facets().end());
   for (const HalfFacetId h : facets.half_facets())
-    if (sides_.count(h) == 0) asked.push_back(h);
-  Relabelling change = unglue(complex_, FacetSet::of_lesser(std::move(asked)), verify);
-  for (const Split& split : change.splits) original_of_copy_.push_back(original(split.parent));
-  for (const OpenedFacet& facet : change.opened) {
-    sides_.emplace(facet.half_facet, Side{facet.former_mate, original(facet.by)});
-    sides_.emplace(facet.former_mate, Side{facet.half_facet, original(facet.by)});
+    if (sides_.count(h) == 0) lesser.push_back(h);
+  const FacetSet asked = FacetSet::of_lesser(std::move(lesser));
+  for (const HalfFacetId h : asked.half_facets()) {
+    if (h.value >= complex_.half_facet_count()) throw NotInterior(h);
+    const auto mate = complex_.mate(h);
+    if (!mate || *mate < h) throw NotInterior(h);
   }
-  shut_ = FacetSet::of_lesser(change.shut);
+
+  // All memory first, so that the records cannot miss what the complex has undergone.
+  std::vector<HalfFacetId> shut;
+  Relabelling change;
+  try {
+    shut.reserve(asked.size());
+    make_room_for_copies(2 * static_cast<std::size_t>(D) * asked.size());
+    for (const HalfFacetId h : asked.half_facets()) {
+      const HalfFacetId mate = *complex_.mate(h);
+      sides_.emplace(h, Side{mate, VertexId{}});
+      sides_.emplace(mate, Side{h, VertexId{}});
+    }
+    change = unglue(complex_, asked, verify);
+  } catch (...) {
+    for (const HalfFacetId h : asked.half_facets()) forget_sides(h);
+    throw;
+  }
+  for (const Split& split : change.splits) original_of_copy_.push_back(original(split.parent));
+  for (const OpenedFacet& facet : change.opened)
+    sides_.at(facet.half_facet).by = sides_.at(facet.former_mate).by = original(facet.by);
+  for (const HalfFacetId h : change.shut) forget_sides(h);
+  shut.assign(change.shut.begin(), change.shut.end());
+  shut_ = FacetSet::of_lesser(std::move(shut));
   return change;
+}
+
+template <int D>
+void Incision<D>::make_room_for_copies(std::size_t copies) {
+  const std::size_t needed = original_of_copy_.size() + copies;
+  if (original_of_copy_.capacity() < needed)
+    original_of_copy_.reserve(std::max(needed, 2 * original_of_copy_.capacity()));
+}
+
+template <int D>
+void Incision<D>::forget_sides(HalfFacetId half_facet) {
+  const auto side = sides_.find(half_facet);
+  if (side == sides_.end()) return;
+  const HalfFacetId mate = side->second.former_mate;
+  sides_.erase(side);
+  sides_.erase(mate);
 }
 
 template <int D>

@@ -53,6 +53,9 @@ class Incision {
   void forget_shut(const FacetSet& facets);
 
  private:
+  void make_room_for_copies(std::size_t copies);
+  void forget_sides(HalfFacetId half_facet);  // does not throw
+
   Complex<D> complex_;
   std::size_t original_vertex_count_ = 0;
   std::vector<VertexId> original_of_copy_;  // of vertex original_vertex_count_ + i
