@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <set>
 
 #include "cleave/topology/check.hpp"
 #include "cleave/topology/explain.hpp"
