@@ -15,8 +15,8 @@ namespace cleave::app {
 std::size_t used_vertices(const Mesh& mesh);
 std::size_t used_vertices(const topology::Complex<3>& k);
 
-/// The edges of the file whose cells fall into several parts. Requires sound cells. Time: O(n log n)
-/// in the cells.
+/// The edges of the file whose cells fall into several parts. Requires sound cells. Time: O(n log
+/// n) in the cells.
 std::vector<PinchedEdge> pinched_edges(const Mesh& mesh);
 
 /// How many such edges `k` has. Time: O(n log n) in the cells.

@@ -19,7 +19,7 @@ namespace {
 
 struct RunOptions {
   std::string scene, folder;
-  bool quiet = false;
+  bool strict = false, quiet = false;
 };
 
 void write_vtu(const RunResult& result, RunFolder& folder, Parts& parts) {
@@ -46,7 +46,8 @@ void write_page_file(const RunResult& result, RunFolder& folder, Parts& parts) {
 int run(const RunOptions& options) {
   const Scene scene = read_scene(options.scene);
   Progress progress(run_stages(scene) + 1, options.quiet);
-  RunResult result = run_scene(scene, [&](const std::string& what) { progress.stage(what); });
+  RunResult result = run_scene(
+      scene, [&](const std::string& what) { progress.stage(what); }, options.strict);
   RunReport& report = result.report;
   progress.stage("writing");
   RunFolder folder(options.folder);
@@ -72,6 +73,8 @@ void add_run_command(CLI::App& cleave, Action& chosen) {
                    "Folder to write into: summary.json, .vtu files, index.html. Made if missing; "
                    "files of the same names are replaced")
       ->required();
+  command->add_flag("--strict", options->strict,
+                    "Refuse a mesh that is not cut-regular instead of regularising it");
   command->add_flag("-q,--quiet", options->quiet, "Print warnings and errors only");
   command->footer(
       "Exit status: 0 every solve converged, 1 some solve did not (summary.json says how it "

@@ -25,9 +25,9 @@ std::string material_name(const MaterialSpec& material) {
 PageFinding regularised(const Body<3>& body) {
   PageFinding finding{"Regularised vertices", {}};
   for (const auto& split : body.regularized)
-    finding.marks.push_back({fmt::format("vertex {}",
-                                         body.mesh->vertex_numbers[split.parent.value]),
-                             {split.vertex.value}});
+    finding.marks.push_back(
+        {fmt::format("vertex {}", body.mesh->vertex_numbers[split.parent.value]),
+         {split.vertex.value}});
   return finding;
 }
 

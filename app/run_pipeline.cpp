@@ -52,8 +52,8 @@ double milliseconds_since(Clock::time_point start) {
 // A run in the making. Members are built in this order, or left out.
 class Run {
  public:
-  Run(const Scene& scene, const std::function<void(const std::string&)>& progress)
-      : scene_(scene), progress_(progress) {}
+  Run(const Scene& scene, const std::function<void(const std::string&)>& progress, bool strict)
+      : scene_(scene), progress_(progress), strict_(strict) {}
 
   RunResult execute() {
     load_mesh();
@@ -82,6 +82,7 @@ class Run {
 
   const Scene& scene_;
   const std::function<void(const std::string&)>& progress_;
+  const bool strict_;
   RunResult result_;
   Parts& parts_ = result_.report.parts;
   Mesh mesh_;
@@ -122,11 +123,14 @@ void Run::build_complex() {
   report().pieces = topology::pieces(body_.complex).count;
   report().pinched_edges = parts_.build("pinched-edge check", [&] { return pinched_edges(mesh_); });
   report().regularized = regularized_vertices(body_);
-  for (const auto& split : body_.regularized)
-    report().warnings.push_back(fmt::format(
-        "vertex {} of {} is not cut-regular (its cells hang together only in that vertex); it was "
-        "split, each part has its own copy now",
-        mesh_.vertex_numbers[split.parent.value], mesh_.source));
+  for (const auto& vertex : report().regularized) {
+    const std::string found = fmt::format(
+        "vertex {} of {} is not cut-regular (its cells hang together only in that vertex)",
+        vertex.parent, mesh_.source);
+    if (strict_)
+      throw InputError(found + "; mend the mesh, or leave out --strict to have it split");
+    report().warnings.push_back(found + "; it was split, each part has its own copy now");
+  }
 }
 
 void Run::build_physics() {
@@ -289,8 +293,9 @@ std::size_t run_stages(const Scene& scene) {
   return 2 + (solves ? 2 : 0) + scene.strokes.size() * (solves ? 2 : 1);  // complex, physics, ..
 }
 
-RunResult run_scene(const Scene& scene, const std::function<void(const std::string&)>& progress) {
-  return Run(scene, progress).execute();
+RunResult run_scene(const Scene& scene, const std::function<void(const std::string&)>& progress,
+                    bool strict) {
+  return Run(scene, progress, strict).execute();
 }
 
 }  // namespace cleave::app

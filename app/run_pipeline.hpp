@@ -34,6 +34,8 @@ struct RunResult {
 /// cuts or solves, the operator only to solve. `progress` is called now and then with a line to
 /// show. Throws InputError for whatever is invalid in the scene or its mesh. Failed solves are
 /// outcomes.
-RunResult run_scene(const Scene& scene, const std::function<void(const std::string&)>& progress);
+/// With `strict`, a mesh that is not cut-regular is one, too, instead of being regularised.
+RunResult run_scene(const Scene& scene, const std::function<void(const std::string&)>& progress,
+                    bool strict = false);
 
 }  // namespace cleave::app

@@ -113,6 +113,13 @@ TEST_F(RunCommand, TheLiverIsCutAndPulledOpen) {
   expect_valid_summary("out");
 }
 
+TEST_F(RunCommand, StrictRefusesAMeshThatIsNotCutRegular) {
+  const Outcome result = cleave({"run", data("liver.scene.json"), "-o", "out", "--strict"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_NE(result.err.find("vertex 577 "), std::string::npos) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
 TEST_F(RunCommand, TheSameSceneGivesTheSameBytes) {
   for (const auto* folder : {"a", "b"})
     ASSERT_EQ(cleave({"run", data("cube.scene.json"), "-o", folder, "--quiet"}).status, 0);
