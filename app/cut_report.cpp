@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "cleave/topology/check.hpp"
 #include "cleave/topology/explain.hpp"
 #include "cleave/topology/pieces.hpp"
