@@ -58,6 +58,9 @@ void expect_good_estimates(const std::string& file) {
 }
 
 TEST(EnergyErrorEstimate, IsWithinThreeTimesTheTruthOnTheLiver) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "minutes under a sanitizer; the cube takes the same paths";
+#endif
   expect_good_estimates("liver.scene.json");
 }
 
