@@ -10,6 +10,7 @@
 #include "facet_groups.hpp"
 #include "file_words.hpp"
 #include "mesh_fields.hpp"
+#include "mesh_file.hpp"
 
 namespace cleave::app {
 
@@ -17,8 +18,9 @@ using topology::Incision;
 using topology::VertexId;
 
 Numbering numbering_of(const std::filesystem::path& path) {
-  if (path.extension() == ".mesh") return Numbering::from_one;
-  return path.extension() == ".msh" ? Numbering::kept : Numbering::from_zero;
+  const MeshFormat format = format_of(path);
+  if (format == MeshFormat::kMedit) return Numbering::from_one;
+  return format == MeshFormat::kGmsh ? Numbering::kept : Numbering::from_zero;
 }
 
 namespace {

@@ -15,49 +15,48 @@
 #include "output_file.hpp"
 
 namespace cleave::app {
-namespace {
 
-enum class Format { kMedit, kGmsh, kVtu, kVtk };
-
-Format format_of(const std::filesystem::path& path) {
+MeshFormat format_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension == ".mesh") return Format::kMedit;
-  if (extension == ".msh") return Format::kGmsh;
-  if (extension == ".vtu") return Format::kVtu;
-  if (extension == ".vtk") return Format::kVtk;
+  if (extension == ".mesh") return MeshFormat::kMedit;
+  if (extension == ".msh") return MeshFormat::kGmsh;
+  if (extension == ".vtu") return MeshFormat::kVtu;
+  if (extension == ".vtk") return MeshFormat::kVtk;
   throw InputError("'" + path.string() + "': " +
                    (extension.empty() ? "no extension" : "unknown extension '" + extension + "'") +
                    "; mesh files are .mesh (Medit), .msh (gmsh), .vtu and .vtk (VTK)");
 }
 
-Mesh read_format(const std::filesystem::path& path, Format format) {
+namespace {
+
+Mesh read_format(const std::filesystem::path& path, MeshFormat format) {
   switch (format) {
-    case Format::kMedit:
+    case MeshFormat::kMedit:
       return read_medit(InputText(path));
-    case Format::kGmsh:
+    case MeshFormat::kGmsh:
       return read_msh(InputText(path));
-    case Format::kVtu:
+    case MeshFormat::kVtu:
       return read_vtk(path, VtkFormat::kXml);
-    case Format::kVtk:
+    case MeshFormat::kVtk:
       break;
   }
   return read_vtk(path, VtkFormat::kLegacy);
 }
 
-GroupIntegers write_format(OutputFile& file, Format format, const Mesh& mesh) {
+GroupIntegers write_format(OutputFile& file, MeshFormat format, const Mesh& mesh) {
   GroupIntegers integers;
   TextOutput out(file);
   switch (format) {
-    case Format::kMedit:
+    case MeshFormat::kMedit:
       return write_medit(out, mesh);
-    case Format::kGmsh:
+    case MeshFormat::kGmsh:
       write_msh(out, mesh);
       break;
-    case Format::kVtu:
+    case MeshFormat::kVtu:
       out << write_vtk(mesh, VtkFormat::kXml, integers);
       break;
-    case Format::kVtk:
+    case MeshFormat::kVtk:
       out << write_vtk(mesh, VtkFormat::kLegacy, integers);
       break;
   }
@@ -73,20 +72,20 @@ std::filesystem::path groups_path(const std::filesystem::path& mesh_path) {
 }
 
 Mesh read_mesh(const std::filesystem::path& path) {
-  const Format format = format_of(path);
+  const MeshFormat format = format_of(path);
   Mesh mesh = read_format(path, format);
   for (int d = 1; d <= 3; ++d)
     if (mesh.elements[static_cast<std::size_t>(d)].size() > 0) mesh.dimension = d;
   if (mesh.dimension == 0)
     throw InputError(path.string() + ": holds no edges, triangles or tetrahedra");
   std::error_code error;
-  if (format != Format::kGmsh && std::filesystem::exists(groups_path(path), error))
+  if (format != MeshFormat::kGmsh && std::filesystem::exists(groups_path(path), error))
     apply_group_names(mesh, groups_path(path));
   return mesh;
 }
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
-  const Format format = format_of(path);
+  const MeshFormat format = format_of(path);
   OutputFile file(path);
   const GroupIntegers integers = write_format(file, format, mesh);
   const std::string names = integers.to_json();
@@ -97,7 +96,7 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
     groups.commit();
     return;
   }
-  if (format != Format::kGmsh) {
+  if (format != MeshFormat::kGmsh) {
     std::error_code error;
     std::filesystem::remove(groups_path(path), error);
     if (error)

@@ -6,6 +6,12 @@
 
 namespace cleave::app {
 
+enum class MeshFormat { kMedit, kGmsh, kVtu, kVtk };
+
+/// The format that the extension of `path` names; upper and lower case are the same. Throws
+/// InputError, with the extensions there are, if it names none.
+MeshFormat format_of(const std::filesystem::path& path);
+
 /// Reads a mesh file; the extension names the format: `.mesh` (Medit), `.msh` (gmsh 2.2 and 4.1
 /// text), `.vtu` and `.vtk` (VTK unstructured grids). Names of groups are taken from
 /// `PATH.groups.json` where the format has none and that file lies beside the mesh.

@@ -187,6 +187,16 @@ TEST_F(Cut, KeepsATagAbove32Bits) {
   EXPECT_EQ(mesh("out.msh").vertex_numbers.back(), 5000000003u);
 }
 
+TEST_F(Cut, NumbersByTheFormatInWhateverCaseItsExtensionIs) {
+  write("m.mesh", two_tetrahedra());
+  write("f.json", R"({"facets": [[1, 2, 3]]})");
+  for (const std::string out : {"out.mesh", "out.MESH", "out.Mesh"}) {
+    const Outcome cut = cleave({"cut", "m.mesh", "-o", out, "--facets", "f.json", "--json", "-"});
+    ASSERT_EQ(cut.status, 0) << cut.err;
+    EXPECT_EQ(json::parse(cut.out)["splits"][0], (json{{"vertex", 6}, {"parent", 1}})) << out;
+  }
+}
+
 TEST_F(Cut, WritesParentsPiecesAndGroupsToVtu) {
   write("m.mesh", two_tetrahedra());
   report({"m.mesh", "-o", "out.vtu", "--all"});
