@@ -53,6 +53,12 @@ void RunFolder::commit() {
   for (const auto& entry : std::filesystem::directory_iterator(staging_))
     names.insert(entry.path().filename());
   for (const auto& name : names) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(folder_ / name, ignored))
+      throw OutputError("cannot write '" + (folder_ / name).string() +
+                        "': it is a folder; move it away, or write into another one");
+  }
+  for (const auto& name : names) {
     std::error_code error;
     const std::filesystem::path described = groups_path(name);
     if (name.extension() == ".vtu" && names.count(described) == 0)

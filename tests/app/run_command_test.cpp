@@ -264,6 +264,14 @@ TEST_F(RunCommand, ASurfaceIsRefused) {
   expect_refused(R"({"mesh": {"file": "band.mesh"}})", {"band.mesh", "triangles", "volume"});
 }
 
+TEST_F(RunCommand, AFileThatCannotBeReplacedLeavesTheFolderAsItWas) {
+  std::filesystem::create_directories(folder_ / "out" / "summary.json");
+  const Outcome outcome = run_scene("{" + kCube + "}");
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_NE(outcome.err.find("summary.json"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / "final.vtu"));
+}
+
 TEST_F(RunCommand, WhatCannotBeWrittenIsSaid) {
   const Outcome device = run_scene("{" + kCube + "}", "/dev/full");
   EXPECT_EQ(device.status, 3);
