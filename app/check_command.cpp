@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include "check_report.hpp"
+#include "choice.hpp"
 #include "commands.hpp"
 #include "error.hpp"
 #include "mesh_file.hpp"
@@ -48,16 +49,13 @@ void add_check_command(CLI::App& cleave, Action& chosen) {
   check->add_option("MESH", options->meshes, "Mesh files: .mesh, .msh, .vtu, .vtk")
       ->required()
       ->option_text("FILE..");
-  const std::map<std::string, topology::Level> levels{
-      {"pseudo-manifold", topology::Level::pseudo_manifold},
-      {"cut-regular", topology::Level::cut_regular},
-      {"edge-regular", topology::Level::edge_regular},
-      {"manifold", topology::Level::manifold}};
-  check
-      ->add_option("--require", options->required,
-                   "What is below this level is an error, what is above it a warning: "
-                   "pseudo-manifold, cut-regular (default), edge-regular or manifold")
-      ->transform(CLI::CheckedTransformer(levels).description(""))
+  add_choice<topology::Level>(*check, "--require", options->required,
+                              {{"pseudo-manifold", topology::Level::pseudo_manifold},
+                               {"cut-regular", topology::Level::cut_regular},
+                               {"edge-regular", topology::Level::edge_regular},
+                               {"manifold", topology::Level::manifold}},
+                              "What is below this level is an error, what is above it a warning: "
+                              "pseudo-manifold, cut-regular (default), edge-regular or manifold")
       ->option_text("LEVEL");
   check
       ->add_option("--json", options->json, "Write all findings to this file; - is standard output")
@@ -68,7 +66,10 @@ void add_check_command(CLI::App& cleave, Action& chosen) {
       "Examples:\n"
       "  cleave check liver.mesh\n"
       "  cleave check --require manifold --json report.json part-*.msh");
-  check->callback([options, &chosen] { chosen = [options] { return check_meshes(*options); }; });
+  check->callback([options, &chosen] {
+    refuse_report_onto(options->json, options->meshes);
+    chosen = [options] { return check_meshes(*options); };
+  });
 }
 
 }  // namespace cleave::app

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <CLI/Error.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 
@@ -14,9 +16,21 @@
 namespace cleave::app {
 namespace {
 
+// Nobody can be told when standard error takes nothing, so that is no failure.
+void complain(const std::string& text) { std::fputs((text + '\n').c_str(), stderr); }
+
 int fail(ExitStatus status, const std::string& text) {
-  fmt::print(stderr, "cleave: error: {}\n", text);
+  complain("cleave: error: " + text);
   return status;
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  if (std::filesystem::equivalent(a, b, ignored)) return true;
+  const auto absolute = [&](const std::string& name) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(name, ignored), ignored);
+  };
+  return absolute(a) == absolute(b);
 }
 
 }  // namespace
@@ -37,7 +51,15 @@ int guarded(const Action& action) {
   }
 }
 
-void warn(const std::string& text) { fmt::print(stderr, "cleave: warning: {}\n", text); }
+void warn(const std::string& text) { complain("cleave: warning: " + text); }
+
+void refuse_report_onto(const std::string& report, const std::vector<std::string>& files) {
+  if (report.empty() || report == "-") return;
+  for (const std::string& file : files)
+    if (!file.empty() && same_file(report, file))
+      throw CLI::ValidationError(
+          "--json", fmt::format("the report would overwrite '{}'; give it another name", file));
+}
 
 void write_report(const std::string& path, const std::string& text) {
   if (path == "-") return print(text);

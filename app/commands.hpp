@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library has this name
 class App;
@@ -23,6 +24,10 @@ int guarded(const Action& action);
 
 /// Prints "cleave: warning: .." on stderr.
 void warn(const std::string& text);
+
+/// Throws CLI::ValidationError if `report`, where a command is to write its report, is one of
+/// `files`, which the command reads or writes. Empty names and "-" are no files.
+void refuse_report_onto(const std::string& report, const std::vector<std::string>& files);
 
 /// Writes `text` to the file at `path`, completely or not at all; "-" is standard output. Throws
 /// OutputError.

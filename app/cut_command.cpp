@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 
+#include "choice.hpp"
 #include "commands.hpp"
 #include "cut_mesh.hpp"
 #include "error.hpp"
@@ -11,6 +12,7 @@ namespace cleave::app {
 namespace {
 
 int run_cut(const CutOptions& options) {
+  if (!options.out.empty()) format_of(options.out);  // refused before anything is done
   Progress progress(6, options.quiet);
   progress.stage("reading " + options.mesh);
   const Mesh mesh = read_mesh(options.mesh);
@@ -51,19 +53,17 @@ void add_request(CLI::App& cut, CutOptions& options) {
   what->add_flag("--all", options.all, "Every interior facet");
   what->require_option(1);
 
-  const std::map<std::string, cutting::Rule> rules{
-      {"dual-edge", cutting::Rule::dual_edge}, {"nearest-vertex", cutting::Rule::nearest_vertex}};
-  const std::map<std::string, cutting::Ties> ties{{"id", cutting::Ties::by_id},
-                                                  {"both", cutting::Ties::both}};
-  cut.add_option("--select", options.select.rule,
-                 "How a sweep selects facets: dual-edge (default) or nearest-vertex")
-      ->transform(CLI::CheckedTransformer(rules).description(""))
+  add_choice<cutting::Rule>(
+      cut, "--select", options.select.rule,
+      {{"dual-edge", cutting::Rule::dual_edge}, {"nearest-vertex", cutting::Rule::nearest_vertex}},
+      "How a sweep selects facets: dual-edge (default) or nearest-vertex")
       ->needs(sweep)
       ->option_text("RULE");
-  cut.add_option("--ties", options.select.ties,
-                 "nearest-vertex: of two equally near vertices the one with the lesser number, id "
-                 "(default), or both")
-      ->transform(CLI::CheckedTransformer(ties).description(""))
+  add_choice<cutting::Ties>(
+      cut, "--ties", options.select.ties,
+      {{"id", cutting::Ties::by_id}, {"both", cutting::Ties::both}},
+      "nearest-vertex: of two equally near vertices the one with the lesser number, id "
+      "(default), or both")
       ->needs(sweep)
       ->option_text("HOW");
 }
@@ -81,20 +81,19 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
           ->option_text("OUT");
   add_request(*cut, *options);
 
-  const std::map<std::string, topology::Verify> verify{{"none", topology::Verify::none},
-                                                       {"touched", topology::Verify::touched},
-                                                       {"all", topology::Verify::all}};
   auto* dry_run = cut->add_flag("--dry-run", options->dry_run, "Do everything but write OUT");
   cut->add_flag("--explain", options->explain,
                 "Say why facets stay shut, and by which vertex facets opened");
   cut->add_flag("--require-open", options->require_open, "Exit with 1 if a facet stays shut");
   cut->add_flag("--strict", options->strict,
                 "Refuse a mesh that is not cut-regular instead of regularising it");
-  cut->add_option(
-         "--verify", options->verify,
-         "Verify nothing (none), what the cut touched (touched, default), or everything and "
-         "certify the result (all)")
-      ->transform(CLI::CheckedTransformer(verify).description(""))
+  add_choice<topology::Verify>(
+      *cut, "--verify", options->verify,
+      {{"none", topology::Verify::none},
+       {"touched", topology::Verify::touched},
+       {"all", topology::Verify::all}},
+      "Verify nothing (none), what the cut touched (touched, default), or everything and "
+      "certify the result (all)")
       ->option_text("WHAT");
   cut->add_option("--json", options->json, "Write the report to this file; - is standard output")
       ->option_text("FILE");
@@ -110,6 +109,9 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
   cut->callback([options, out, dry_run, &chosen] {
     if (out->count() == 0 && dry_run->count() == 0)
       throw CLI::RequiredError("-o OUT (or --dry-run)");
+    const CutOptions& o = *options;
+    refuse_report_onto(o.json, {o.mesh, o.out, o.facets, o.sweep, groups_path(o.mesh).string(),
+                                groups_path(o.out).string()});
     chosen = [options] { return run_cut(*options); };
   });
 }

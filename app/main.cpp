@@ -1,8 +1,27 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <sstream>
 
 #include "commands.hpp"
 #include "error.hpp"
+
+namespace {
+
+// Says what is wrong with the command line.
+int wrong_usage(const CLI::App& cleave, const CLI::ParseError& error) {
+  const auto commands = cleave.get_subcommands();
+  const auto rest = cleave.remaining();
+  std::cerr << "cleave: error: ";
+  if (commands.empty() && !rest.empty())
+    std::cerr << "there is no command '" << rest.front() << "'; there are check, cut and run\n";
+  else
+    std::cerr << error.what() << '\n';
+  std::cerr << "`cleave " << (commands.empty() ? "" : commands.front()->get_name() + " ")
+            << "--help` shows what can be given\n";
+  return cleave::app::kUsage;
+}
+
+}  // namespace
 
 /// cleave -- see docs/command-line.md. Exit status: 0 fine; 1 findings; 2 usage; 3 input missing,
 /// unreadable or invalid for the request; 4 a defect of ours.
@@ -20,7 +39,13 @@ int main(int argc, char** argv) {
   try {
     cleave.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return cleave.exit(e, std::cout, std::cerr) == 0 ? kFine : kUsage;
+    if (e.get_exit_code() != 0) return wrong_usage(cleave, e);
+    return guarded([&] {  // --help, --version
+      std::ostringstream text;
+      cleave.exit(e, text, text);
+      print(text.str());
+      return static_cast<int>(kFine);
+    });
   }
   return guarded(chosen);
 }

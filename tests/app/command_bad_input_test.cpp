@@ -165,6 +165,50 @@ TEST_F(BadInput, WrongUsageIsStatusTwo) {
   EXPECT_EQ(files(), std::vector<std::string>{"m.mesh"});
 }
 
+TEST_F(BadInput, WrongUsageIsAnsweredWithWhatThereIs) {
+  write("m.mesh", two_tetrahedra());
+  const auto answer = [&](const std::vector<std::string>& args) {
+    const Outcome outcome = cleave(args);
+    EXPECT_EQ(outcome.status, 2) << outcome.out << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("cleave: error: ", 0), 0u) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_NE(answer({"split"}).find("no command 'split'; there are check, cut and run"),
+            std::string::npos);
+  EXPECT_NE(answer({"cut", "m.mesh"}).find("`cleave cut --help`"), std::string::npos);
+  EXPECT_NE(answer({"check", "m.mesh", "--require", "perfect"})
+                .find("'perfect'; known are pseudo-manifold, cut-regular, edge-regular, manifold"),
+            std::string::npos);
+  for (const std::vector<std::string>& args : std::vector<std::vector<std::string>>{
+           {"check", "m.mesh", "--require", "2"},
+           {"cut", "m.mesh", "--dry-run", "--all", "--verify", "1"},
+           {"cut", "m.mesh", "--dry-run", "--sweep", "s.json", "--select", "1"}})
+    EXPECT_NE(answer(args).find("unknown value"), std::string::npos);
+}
+
+TEST_F(BadInput, AReportDoesNotOverwriteWhatTheCommandReadsOrWrites) {
+  write("m.mesh", two_tetrahedra());
+  write("f.json", R"({"facets": [[1, 2, 3]]})");
+  const std::vector<std::string> cut{"cut", "m.mesh", "-o", "out.mesh", "--facets", "f.json"};
+  for (const std::string report : {"m.mesh", "./m.mesh", "out.mesh", "./out.mesh", "f.json"}) {
+    auto args = cut;
+    args.insert(args.end(), {"--json", report});
+    const Outcome outcome = cleave(args);
+    EXPECT_EQ(outcome.status, 2) << report;
+    EXPECT_NE(outcome.err.find("would overwrite"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(cleave({"check", "m.mesh", "--json", "m.mesh"}).status, 2);
+  EXPECT_EQ(files(), (std::vector<std::string>{"f.json", "m.mesh"}));
+  EXPECT_EQ(read("m.mesh"), two_tetrahedra());
+}
+
+TEST_F(BadInput, AnErrorIsAnErrorAlsoWhereNobodyHears) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  const Outcome deaf =
+      run({"sh", "-c", std::string(CLEAVE_COMMAND) + " check none.mesh 2> /dev/full"});
+  EXPECT_EQ(deaf.status, 3);
+}
+
 TEST_F(BadInput, HelpAndVersionAreFine) {
   for (const std::vector<std::string>& args :
        std::vector<std::vector<std::string>>{{"--help"}, {"check", "--help"}, {"cut", "--help"}}) {
