@@ -151,6 +151,7 @@ class FacetCarrier {
       const std::size_t plus = table.named(named->name + "_plus");
       const std::size_t shut = table.named(named->name + "_shut");
       const auto entries = entries_of(*named);
+      if (!entries.empty()) warn_of_namesakes(named->name);
       const auto minus_of = choose(*named, entries);
       const auto put = [&](const Entry<D>& entry, HalfFacetId seen_from, std::size_t group) {
         auto tuple = entry.tuple;
@@ -172,6 +173,16 @@ class FacetCarrier {
   }
 
  private:
+  // A group of the file may have the name of one that a cut adds, as after an earlier cut.
+  void warn_of_namesakes(const std::string& name) {
+    for (const Group& group : mesh_.groups)
+      for (const char* side : {"_minus", "_plus", "_shut"})
+        if (group.dimension == D - 1 && group.name == name + side && !group.elements.empty())
+          output_.warnings.push_back(fmt::format(
+              "there is a group {} already; what this cut makes of {} is put into it too",
+              group.name, name));
+  }
+
   void find_what_gives_way() {
     for (const NamedFacets* named : asked_) {
       if (named->group == nullptr) continue;

@@ -109,6 +109,16 @@ TEST_F(Cut, CutsByGroupAndKeepsTheOthers) {
   EXPECT_EQ(tuples(out, *group(out, "7_minus")).count({6, 7, 8}), 1u);
 }
 
+TEST_F(Cut, WarnsOfAGroupThatHasTheNameOfASide) {
+  write("m.mesh", two_tetrahedra_with_groups());
+  write("m.mesh.groups.json", R"({"format": "cleave-groups/1", "overlaps": [], "groups": [
+    {"dimension": 2, "name": "seam", "tag": 7}, {"dimension": 2, "name": "seam_plus", "tag": 8}]})");
+  const Outcome cut = cleave({"cut", "m.mesh", "-o", "out.mesh", "--group", "seam"});
+  EXPECT_EQ(cut.status, 0);
+  EXPECT_NE(cut.err.find("a group seam_plus already"), std::string::npos) << cut.err;
+  EXPECT_EQ(cut.err.find("seam_minus"), std::string::npos) << cut.err;
+}
+
 TEST_F(Cut, LeavesBothSidesOfAnOpenedFacetInAGroupNotAskedFor) {
   write("m.mesh", two_tetrahedra_with_groups());
   write("f.json", R"({"facets": [[1, 2, 3]]})");
