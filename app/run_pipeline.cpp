@@ -12,6 +12,7 @@
 #include "cleave/topology/carry_over.hpp"
 #include "cleave/topology/pieces.hpp"
 #include "error.hpp"
+#include "file_words.hpp"
 #include "kuhn_cube.hpp"
 #include "mesh_file.hpp"
 #include "run_body.hpp"
@@ -37,12 +38,39 @@ std::string selected_by(const StrokeSpec& spec) {
 
 void warn_of(const StrokeReport& stroke, std::vector<std::string>& warnings) {
   if (stroke.requested == 0)
-    warnings.push_back(
-        fmt::format("{} misses the body: it selects no interior facet", stroke.name));
+    warnings.push_back(fmt::format(
+        "{} selects no facet: it misses the body, or follows a cut that is open already",
+        stroke.name));
   if (stroke.not_interior > 0)
     warnings.push_back(
         fmt::format("{}: {} of the facets lie on the boundary; there is nothing to cut",
                     stroke.name, stroke.not_interior));
+}
+
+// What to do about a solve that ended without a displacement to trust.
+std::string advice(const SolveReport& solve) {
+  switch (solve.outcome) {
+    case fem::Outcome::unsupported_piece: {
+      const auto& piece = solve.floating.front();
+      return fmt::format(
+          "nothing holds {}, such as piece {} around cell {}, which has {} free rigid motions; add "
+          "supports, or set \"on_unsupported\" to \"modulo_free_modes\"",
+          counted(solve.floating.size(), "piece"), piece.piece, piece.a_cell, piece.free_modes);
+    }
+    case fem::Outcome::iteration_limit:
+      return "raise \"max_iterations\" or \"tolerance\"";
+    case fem::Outcome::stagnated:
+      return "rounding keeps it from coming closer; raise \"tolerance\"";
+    default:
+      return "look at the sizes of material, loads and coordinates, and at the shapes of the cells";
+  }
+}
+
+void warn_of(const SolveReport& solve, std::vector<std::string>& warnings) {
+  if (solve.outcome == fem::Outcome::converged) return;
+  warnings.push_back(fmt::format("the solve {} did not converge ({}, {} iterations): {}",
+                                 solve.after.empty() ? "at rest" : "after " + solve.after,
+                                 fem::name(solve.outcome), solve.iterations, advice(solve)));
 }
 
 double milliseconds_since(Clock::time_point start) {
@@ -59,6 +87,8 @@ class Run {
     load_mesh();
     if (!scene_.materials.empty())
       materials_ = parts_.build("material", [&] { return materials_of(scene_, mesh_); });
+    if (!scene_.solve && !(scene_.supports.empty() && scene_.loads.empty()))
+      report().warnings.push_back("supports and loads do nothing without \"solve\"");
     if (scene_.strokes.empty() && !scene_.solve) return finish_without_complex();
     build_complex();
     if (scene_.solve) build_physics();
@@ -215,6 +245,7 @@ void Run::solve(const std::string& after) {
       report().strokes[i].final_gap = gap;
     }
   }
+  warn_of(solve, report().warnings);
   report().solves.push_back(std::move(solve));
 }
 
@@ -253,8 +284,6 @@ void Run::keep_state(const std::string& label, std::optional<std::size_t> stroke
 }
 
 RunResult Run::finish_without_complex() {
-  if (!scene_.supports.empty() || !scene_.loads.empty())
-    report().warnings.push_back("supports and loads do nothing without \"solve\"");
   StateReport state;
   state.label = "At rest";
   if (scene_.output.vtu)

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "file_words.hpp"
 #include "run_report.hpp"
 
 namespace cleave::app {
@@ -90,13 +91,16 @@ std::string solve_text(const SolveReport& solve) {
                   fem::name(solve.outcome), solve.iterations, solve.residual,
                   solve.energy_error ? fmt::format("about {:.1e}", *solve.energy_error) : "unknown",
                   solve.milliseconds);
-  for (const auto& piece : solve.floating)
-    text += fmt::format(
-        "  piece {} (cell {} and {} more) has {} free rigid motions; load removed: force "
-        "({:.3g} {:.3g} {:.3g}), moment ({:.3g} {:.3g} {:.3g})\n",
-        piece.piece, piece.a_cell, piece.cells - 1, piece.free_modes, piece.removed_force[0],
-        piece.removed_force[1], piece.removed_force[2], piece.removed_moment[0],
-        piece.removed_moment[1], piece.removed_moment[2]);
+  for (const auto& piece : solve.floating) {
+    text += fmt::format("  piece {} (cell {} and {} more) has {} free rigid motions", piece.piece,
+                        piece.a_cell, piece.cells - 1, piece.free_modes);
+    if (solve.has_displacement)
+      text +=
+          fmt::format("; load removed: force ({:.3g} {:.3g} {:.3g}), moment ({:.3g} {:.3g} {:.3g})",
+                      piece.removed_force[0], piece.removed_force[1], piece.removed_force[2],
+                      piece.removed_moment[0], piece.removed_moment[1], piece.removed_moment[2]);
+    text += '\n';
+  }
   if (solve.has_displacement)
     text += fmt::format("  largest displacement {:.4g}\n", solve.largest_displacement);
   return text;
@@ -104,10 +108,10 @@ std::string solve_text(const SolveReport& solve) {
 
 std::string stroke_text(const StrokeReport& stroke) {
   std::string text = fmt::format(
-      "{}: {} facets requested, {} opened, {} shut; pieces {} -> {}; {} new vertices, {} pinched "
-      "edges; cut {:.2f} ms\n",
-      stroke.name, stroke.requested, stroke.opened, stroke.shut, stroke.pieces_before,
-      stroke.pieces_after, stroke.new_vertices, stroke.pinched_edges, stroke.cut_milliseconds);
+      "{}: {} requested, {} opened, {} shut; pieces {} -> {}; {}, {}; cut {:.2f} ms\n", stroke.name,
+      counted(stroke.requested, "facet"), stroke.opened, stroke.shut, stroke.pieces_before,
+      stroke.pieces_after, counted(stroke.new_vertices, "new vertex", "new vertices"),
+      counted(stroke.pinched_edges, "pinched edge"), stroke.cut_milliseconds);
   if (stroke.gap)
     text += fmt::format("  under load its sides are {:.4g} apart on average, {:.4g} at most\n",
                         stroke.gap->mean, stroke.gap->max);

@@ -221,8 +221,13 @@ TEST_F(RunCommand, AFailedSolveIsStatusOne) {
   EXPECT_EQ(floating.status, 1) << floating.err;
   EXPECT_NE(floating.out.find("unsupported_piece"), std::string::npos) << floating.out;
   EXPECT_NE(floating.out.find("6 free rigid motions"), std::string::npos) << floating.out;
+  EXPECT_EQ(floating.out.find("load removed"), std::string::npos) << floating.out;
   EXPECT_EQ(summary()["solves"][0]["outcome"], "unsupported_piece");
   expect_valid_summary("out");
+  const Outcome quiet = cleave({"run", "s.json", "-o", "out", "--quiet"});
+  EXPECT_EQ(quiet.status, 1);
+  EXPECT_TRUE(quiet.out.empty()) << quiet.out;
+  EXPECT_NE(quiet.err.find("nothing holds 1 piece"), std::string::npos) << quiet.err;
 }
 
 TEST_F(RunCommand, AStrokeThatMissesIsAWarning) {
@@ -237,6 +242,7 @@ TEST_F(RunCommand, BadScenesAreRefusedAndNothingIsWritten) {
   expect_refused("{" + kCube + R"(, "strokse": []})", {"s.json", "/strokse", "strokes"});
   expect_refused("{" + kCube + ",\n \"loads\": [NaN]}", {"s.json", "line 2"});
   expect_refused("{" + kCube + R"(, "material": {"lambda": 1, "mu": -1}})", {"/material", "mu"});
+  expect_refused("{" + kCube + R"(, "material": {"lambda": 1, "mu": -1e-9}})", {"mu is -1e-09"});
   expect_refused("{" + kCube + R"(, "supports": [{"where": {"group": "no"}}],
     "material": {"lambda": 1, "mu": 1}, "solve": {}})",
                  {"/supports/0", "\"no\""});

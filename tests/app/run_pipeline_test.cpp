@@ -196,7 +196,13 @@ TEST(Run, AStrokeThatMissesIsAWarning) {
   EXPECT_EQ(result.report.strokes[0].requested, 0u);
   EXPECT_EQ(result.report.strokes[0].pieces_after, 1u);
   ASSERT_EQ(result.report.warnings.size(), 1u);
-  EXPECT_NE(result.report.warnings[0].find("stroke 1 misses the body"), std::string::npos);
+  EXPECT_NE(result.report.warnings[0].find("stroke 1 selects no facet"), std::string::npos);
+}
+
+TEST(Run, SupportsWithoutASolveAreAWarning) {
+  const auto result = run({kFloor, R"("strokes": [{"facets": []}])"});
+  ASSERT_EQ(result.report.warnings.size(), 2u);
+  EXPECT_NE(result.report.warnings[0].find("without \"solve\""), std::string::npos);
 }
 
 TEST(Run, GravityGivesTheWeight) {
