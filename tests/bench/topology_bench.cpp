@@ -3,6 +3,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "cleave/support/heap.hpp"
 #include "cleave/support/meshes.hpp"
 #include "cleave/support/rng.hpp"
 #include "cleave/topology/assemble.hpp"
@@ -10,7 +11,6 @@
 #include "cleave/topology/locate.hpp"
 #include "cleave/topology/unglue.hpp"
 #include "flat_yardstick.hpp"
-#include "heap.hpp"
 #include "median.hpp"
 
 /// Times are processor time on one thread, medians over the iterations; `flat` is the yardstick,
@@ -64,13 +64,13 @@ void assembly(benchmark::State& state) {
   std::vector<double> ours, yardstick;
   double held = 0, peak = 0;
   for (auto _ : state) {
-    const std::size_t before = heap_bytes();
+    const std::size_t before = support::heap_bytes();
     CellSoup<3> input = soup;
-    forget_heap_peak();
+    support::forget_heap_peak();
     Complex<3> k;
     ours.push_back(seconds([&] { k = assemble(std::move(input)); }));
-    held = static_cast<double>(heap_bytes() - before);
-    peak = static_cast<double>(heap_peak() - before);
+    held = static_cast<double>(support::heap_bytes() - before);
+    peak = static_cast<double>(support::heap_peak() - before);
     flat.mates = {};
     yardstick.push_back(seconds([&] { flat.match(); }));
     state.SetIterationTime(ours.back());

@@ -9,16 +9,6 @@
 namespace cleave::views {
 namespace {
 
-/// A dense cut of a grid: facets that open and facets that stay shut.
-template <int D>
-FacetSet dense_cut(const Complex<D>& k) {
-  const FacetSet every = FacetSet::all(k);
-  std::vector<HalfFacetId> facets;
-  for (const HalfFacetId h : every.half_facets())
-    if (h.value * 2654435761u % 5 < 2) facets.push_back(h);
-  return FacetSet::of_lesser(facets);
-}
-
 template <class Dimension>
 class VerifyTouched : public ::testing::Test {};
 TYPED_TEST_SUITE(VerifyTouched, Dimensions);

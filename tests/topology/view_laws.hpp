@@ -13,6 +13,7 @@
 #include "cleave/support/reference.hpp"
 #include "cleave/topology/assemble.hpp"
 #include "cleave/topology/complex.hpp"
+#include "cleave/topology/facet_set.hpp"
 
 /// What the tests of the read-only parts of topology share: complexes to look at, and what their
 /// simplices and stars are by definition.
@@ -38,6 +39,16 @@ support::KuhnGrid<D> kuhn_cube(int nodes_per_axis) {
   typename support::KuhnGrid<D>::Point nodes{};
   nodes.fill(nodes_per_axis);
   return support::KuhnGrid<D>(nodes);
+}
+
+/// A dense cut of a grid: facets that open and facets that stay shut.
+template <int D>
+FacetSet dense_cut(const Complex<D>& k) {
+  const FacetSet every = FacetSet::all(k);
+  std::vector<HalfFacetId> facets;
+  for (const HalfFacetId h : every.half_facets())
+    if (h.value * 2654435761u % 5 < 2) facets.push_back(h);
+  return FacetSet::of_lesser(facets);
 }
 
 /// A ball, a sphere, a torus, two pieces side by side, and nothing.

@@ -12,7 +12,8 @@ namespace {
 /// One run of Algorithm 3 on the vertices of a cut. The cut's mates are severed first; then each
 /// class of corners is flooded and given a provisional vertex, which also marks its corners as
 /// visited; then the classes get their final vertices and the facets that stayed shut their mates.
-/// Until `commit` has all memory it needs, `roll_back` gives the complex back as it was.
+/// As long as the run lasts, the verification at its end included, `roll_back` gives the complex
+/// back as it was.
 template <int D>
 class Ungluing {
   using Access = detail::ComplexAccess<D>;
@@ -20,6 +21,7 @@ class Ungluing {
  public:
   Ungluing(Complex<D>& k, const FacetSet& cut)
       : k_(k),
+        cut_(cut),
         cells_(Access::cells(k)),
         mates_(Access::mates(k)),
         old_vertex_count_(static_cast<std::uint32_t>(k.vertex_count())) {
@@ -31,11 +33,14 @@ class Ungluing {
     }
   }
 
-  Relabelling run() {
+  Relabelling run(Verify verify) {
     try {
       sever();
       find_classes();
-      return commit();
+      Relabelling change = commit();
+      if (verify != Verify::none) verify_touched(k_, cut_, change);
+      if (verify == Verify::all) verify_all(k_);
+      return change;
     } catch (...) {
       roll_back();
       throw;
@@ -52,6 +57,7 @@ class Ungluing {
     CornerId least;
     std::size_t first, last;
     VertexId vertex;
+    CornerId named;  // the corner that the parent named before the cut
   };
 
   void sever() {
@@ -77,7 +83,8 @@ class Ungluing {
     if (old_vertex_count_ + classes_.size() >= detail::kNone)
       throw std::length_error("the cut needs more vertices than 32-bit ids can number");
     const VertexId provisional{old_vertex_count_ + static_cast<std::uint32_t>(classes_.size())};
-    classes_.push_back({parent, start, corners_.size(), corners_.size(), provisional});
+    const CornerId named = *k_.a_corner(parent);
+    classes_.push_back({parent, start, corners_.size(), corners_.size(), provisional, named});
     // A visited corner is found no more by its old vertex, so each one reached is new.
     detail::flood<D>(cells_, mates_, start, parent, corners_, [&](CornerId corner) {
       vertex(corner) = provisional;
@@ -150,8 +157,10 @@ class Ungluing {
   }
 
   void roll_back() noexcept {
-    for (const Class& c : classes_)
+    for (const Class& c : classes_) {
       for (std::size_t n = c.first; n < c.last; ++n) vertex(corners_[n]) = c.parent;
+      Access::set_a_corner(k_, c.parent, c.named);
+    }
     for (const Mates& facet : severed_) {
       mates_[facet.lesser.value] = facet.greater;
       mates_[facet.greater.value] = facet.lesser;
@@ -160,6 +169,7 @@ class Ungluing {
   }
 
   Complex<D>& k_;
+  const FacetSet& cut_;
   std::vector<Cell<D>>& cells_;
   std::vector<HalfFacetId>& mates_;
   const std::uint32_t old_vertex_count_;
@@ -172,13 +182,7 @@ class Ungluing {
 
 template <int D>
 Relabelling unglue(Complex<D>& k, const FacetSet& cut, Verify verify) {
-  Relabelling change = Ungluing<D>(k, cut).run();
-  if (verify == Verify::touched) verify_touched(k, cut, change);
-  if (verify == Verify::all) {
-    verify_touched(k, cut, change);
-    verify_all(k);
-  }
-  return change;
+  return Ungluing<D>(k, cut).run(verify);
 }
 
 template Relabelling unglue<1>(Complex<1>&, const FacetSet&, Verify);

@@ -24,7 +24,7 @@ class Incision {
   /// The vertices of the complex at the start have the ids below this number, now and always.
   std::size_t original_vertex_count() const { return original_vertex_count_; }
 
-  /// The vertex of the original complex that `vertex` is, or is a copy of.
+  /// The vertex of the original complex that `vertex`, one of complex(), is or is a copy of.
   VertexId original(VertexId vertex) const;
 
   /// The opened facets, ascending, each with its former mates; `by` is a vertex of the original
@@ -45,7 +45,8 @@ class Incision {
   /// once). Facets scored before may be named again; that changes nothing. Of the result, `opened`
   /// lists what opened now (facets scored earlier among them), `shut` every scored facet that is
   /// shut now. Throws NotInterior for a facet that is neither interior nor opened by this incision;
-  /// else as unglue. Time: as unglue of `facets` and the shut facets together.
+  /// else as unglue. After an exception the incision is as it was. Time: as unglue of `facets` and
+  /// the shut facets together.
   Relabelling cut(const FacetSet& facets, Verify verify = Verify::touched);
 
   /// Takes shut facets back: they are scored no longer. Nothing opens or closes. Facets of `facets`

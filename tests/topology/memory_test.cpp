@@ -1,0 +1,125 @@
+// What a cut asks of the heap: little, and when it gets none, nothing has happened.
+#include <gtest/gtest.h>
+
+#include <new>
+
+#include "cleave/support/heap.hpp"
+#include "cleave/topology/incision.hpp"
+#include "cleave/topology/unglue.hpp"
+#include "view_laws.hpp"
+
+namespace cleave::views {
+namespace {
+
+template <class Dimension>
+class Memory : public ::testing::Test {};
+TYPED_TEST_SUITE(Memory, Dimensions);
+
+/// All that can be seen of a complex.
+template <int D>
+struct Sight {
+  std::vector<Cell<D>> cells;
+  std::vector<std::optional<HalfFacetId>> mates;
+  std::vector<std::optional<CornerId>> corners;  // that its vertices name
+  friend bool operator==(const Sight&, const Sight&) = default;
+};
+
+template <int D>
+Sight<D> sight_of(const Complex<D>& k) {
+  Sight<D> sight{{k.cells().begin(), k.cells().end()}, {}, {}};
+  for (std::uint32_t h = 0; h < k.half_facet_count(); ++h) sight.mates.push_back(k.mate({h}));
+  for (std::uint32_t v = 0; v < k.vertex_count(); ++v) sight.corners.push_back(k.a_corner({v}));
+  return sight;
+}
+
+/// Repeats `action` with memory for 0, 1, 2, .. allocations until that is enough, and returns how
+/// many were needed. After each failure `unchanged` is expected to hold.
+template <class Action, class Unchanged>
+std::size_t run_out_of_memory(Action action, Unchanged unchanged) {
+  for (std::size_t allocations = 0;; ++allocations) {
+    try {
+      const support::MemoryLimit limit(allocations);
+      action();
+      return allocations;
+    } catch (const std::bad_alloc&) {
+    }
+    EXPECT_TRUE(unchanged()) << "after " << allocations << " allocations";
+  }
+}
+
+TYPED_TEST(Memory, UnglueThatRunsOutOfItChangesNothing) {
+  constexpr int D = TypeParam::value;
+  const auto before = complex_of<D>(kuhn_cube<D>(D <= 2 ? 5 : 3));
+  const FacetSet cut = dense_cut(before);
+  const Sight<D> sight = sight_of(before);
+  for (const Verify verify : {Verify::none, Verify::touched, Verify::all}) {
+    Complex<D> k = before;
+    const std::size_t needed =
+        run_out_of_memory([&] { unglue(k, cut, verify); }, [&] { return sight_of(k) == sight; });
+    EXPECT_GT(needed, verify == Verify::none ? 5u : 10u);
+    Complex<D> at_once = before;
+    ASSERT_FALSE(unglue(at_once, cut).splits.empty());
+    EXPECT_EQ(sight_of(k), sight_of(at_once));
+  }
+}
+
+TYPED_TEST(Memory, AnIncisionThatRunsOutOfItChangesNothing) {
+  constexpr int D = TypeParam::value;
+  const auto original = complex_of<D>(kuhn_cube<D>(D <= 2 ? 5 : 3));
+  const FacetSet cut = dense_cut(original);
+  std::vector<HalfFacetId> half;
+  for (std::size_t i = 0; i < cut.size(); i += 2) half.push_back(cut.half_facets()[i]);
+  Incision<D> staged(original);
+  staged.cut(FacetSet::of_lesser(half));
+
+  const Sight<D> sight = sight_of(staged.complex());
+  const auto opened = staged.opened();
+  const FacetSet shut = staged.shut();
+  const std::size_t needed = run_out_of_memory([&] { staged.cut(cut); },
+                                               [&] {
+                                                 return sight_of(staged.complex()) == sight &&
+                                                        staged.opened() == opened &&
+                                                        staged.shut() == shut;
+                                               });
+  EXPECT_GT(needed, 15u);
+  Incision<D> at_once(original);
+  at_once.cut(cut);
+  EXPECT_EQ(staged.scored(), at_once.scored());
+  EXPECT_EQ(staged.shut(), at_once.shut());
+  const auto one = canonical(staged), other = canonical(at_once);
+  for (std::uint32_t c = 0; c < original.half_facet_count(); ++c)
+    ASSERT_EQ(one[staged.complex().vertex({c}).value], other[at_once.complex().vertex({c}).value]);
+}
+
+/// The most bytes that a cut along all interior facets around the middle vertex of a grid holds.
+template <int D>
+std::size_t most_held(int nodes) {
+  const auto grid = kuhn_cube<D>(nodes);
+  typename support::KuhnGrid<D>::Point middle{};
+  middle.fill(nodes / 2);
+  const auto k = complex_of<D>(grid);
+  std::vector<HalfFacetId> around;
+  for (const CornerId corner : star(k, grid.vertex(middle)))
+    for (int i = 0; i <= D; ++i) {
+      const auto h = half_facet<D>(cell_of<D>(corner), i);
+      if (h != corner && k.is_interior(h)) around.push_back(h);
+    }
+  const FacetSet cut = FacetSet::of(k, around);
+  Incision<D> incision(k);
+  const std::size_t before = support::heap_bytes();
+  support::forget_heap_peak();
+  const auto change = incision.cut(cut);
+  const std::size_t held = support::heap_peak() - before;
+  EXPECT_FALSE(change.splits.empty());
+  return held;
+}
+
+// The hash tables of the verification differ a little with the numbers of the cells.
+TYPED_TEST(Memory, ACutTakesAsMuchInALargeMeshAsInASmallOne) {
+  constexpr int D = TypeParam::value;
+  constexpr int small[] = {5, 5, 5, 4}, large[] = {20000, 140, 17, 7};
+  EXPECT_LE(most_held<D>(large[D - 1]), 2 * most_held<D>(small[D - 1]));
+}
+
+}  // namespace
+}  // namespace cleave::views
