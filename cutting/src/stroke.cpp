@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "cleave/topology/carry_over.hpp"
 
@@ -17,7 +19,8 @@ StrokeResult cut_along(topology::Incision<D>& incision, std::vector<Point<D>>& p
   const FacetSet left_by_others = incision.shut();
   StrokeResult result;
   ClosestSets sets;
-  FacetSet pending, opened;  // scored by this stroke: shut still, and not
+  FacetSet pending;                            // scored by this stroke and shut still
+  std::vector<topology::HalfFacetId> settled;  // scored by this stroke and opened
   for (std::size_t first = 0, last = 0; first < sweep.simplices.size(); first = last) {
     last = sweep.step(sweep.step_of[first]).second;
     const FacetSet toggled =
@@ -28,9 +31,10 @@ StrokeResult cut_along(topology::Incision<D>& incision, std::vector<Point<D>>& p
     result.changes.push_back(incision.cut(scored, verify));
     topology::carry_over(points, result.changes.back());
     pending = scored & incision.shut();
-    opened = opened | (scored - pending);
+    const auto opened = (scored - pending).half_facets();
+    settled.insert(settled.end(), opened.begin(), opened.end());
   }
-  result.scored = opened | pending;
+  result.scored = FacetSet::of_lesser(std::move(settled)) | pending;
   return result;
 }
 
