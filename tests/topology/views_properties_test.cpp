@@ -90,10 +90,10 @@ Summary summary_by_definition(const CellSoup<D>& soup) {
 support::Rng random_numbers() { return support::Rng(*rc::gen::arbitrary<std::uint64_t>()); }
 
 template <class Dimension>
-class ViewsOfRandomComplexes : public ::testing::Test {};
-TYPED_TEST_SUITE(ViewsOfRandomComplexes, Dimensions);
+class ViewsProperty : public ::testing::Test {};
+TYPED_TEST_SUITE(ViewsProperty, Dimensions);
 
-TYPED_TEST(ViewsOfRandomComplexes, SimplicesAreClosedUnderSubsets) {
+TYPED_TEST(ViewsProperty, SimplicesAreClosedUnderSubsets) {
   constexpr int D = TypeParam::value;
   EXPECT_TRUE(rc::check([] {
     auto rng = random_numbers();
@@ -115,7 +115,7 @@ TYPED_TEST(ViewsOfRandomComplexes, SimplicesAreClosedUnderSubsets) {
   }));
 }
 
-TYPED_TEST(ViewsOfRandomComplexes, ARandomTupleIsFoundIffItIsASimplex) {
+TYPED_TEST(ViewsProperty, ARandomTupleIsFoundIffItIsASimplex) {
   constexpr int D = TypeParam::value;
   EXPECT_TRUE(rc::check([] {
     auto rng = random_numbers();
@@ -139,7 +139,7 @@ TYPED_TEST(ViewsOfRandomComplexes, ARandomTupleIsFoundIffItIsASimplex) {
   }));
 }
 
-TYPED_TEST(ViewsOfRandomComplexes, PiecesAreComponentsByBoostGraph) {
+TYPED_TEST(ViewsProperty, PiecesAreComponentsByBoostGraph) {
   constexpr int D = TypeParam::value;
   EXPECT_TRUE(rc::check([] {
     auto rng = random_numbers();
@@ -153,7 +153,7 @@ TYPED_TEST(ViewsOfRandomComplexes, PiecesAreComponentsByBoostGraph) {
   }));
 }
 
-TYPED_TEST(ViewsOfRandomComplexes, TheBoundaryIsClosedOrSaysWhereItTouchesItself) {
+TYPED_TEST(ViewsProperty, TheBoundaryIsClosedOrSaysWhereItTouchesItself) {
   constexpr int D = TypeParam::value;
   if constexpr (D >= 2) {
     EXPECT_TRUE(rc::check([] {
@@ -184,7 +184,7 @@ TYPED_TEST(ViewsOfRandomComplexes, TheBoundaryIsClosedOrSaysWhereItTouchesItself
   }
 }
 
-TYPED_TEST(ViewsOfRandomComplexes, ShutFacetsAreExplainedByShortestChains) {
+TYPED_TEST(ViewsProperty, ShutFacetsAreExplainedByShortestChains) {
   constexpr int D = TypeParam::value;
   EXPECT_TRUE(rc::check([] {
     auto rng = random_numbers();
@@ -193,7 +193,7 @@ TYPED_TEST(ViewsOfRandomComplexes, ShutFacetsAreExplainedByShortestChains) {
   }));
 }
 
-TYPED_TEST(ViewsOfRandomComplexes, SummariesOfAnySoupCountSetsAsDefined) {
+TYPED_TEST(ViewsProperty, SummariesOfAnySoupCountSetsAsDefined) {
   constexpr int D = TypeParam::value;
   EXPECT_TRUE(rc::check([] {
     auto rng = random_numbers();
@@ -211,7 +211,7 @@ TYPED_TEST(ViewsOfRandomComplexes, SummariesOfAnySoupCountSetsAsDefined) {
   }));
 }
 
-TYPED_TEST(ViewsOfRandomComplexes, FacetsAreLocatedWhereTheyAre) {
+TYPED_TEST(ViewsProperty, FacetsAreLocatedWhereTheyAre) {
   constexpr int D = TypeParam::value;
   EXPECT_TRUE(rc::check([] {
     auto rng = random_numbers();

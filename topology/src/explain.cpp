@@ -37,6 +37,7 @@ std::vector<CellId> shortest_chain(const Complex<D>& k, const FacetSet& scored, 
 
 template <int D>
 std::vector<Because> explain(const Complex<D>& k, const FacetSet& scored, HalfFacetId facet) {
+  if (facet.value >= k.half_facet_count()) throw NotInterior(facet);
   const auto mate = k.mate(facet);
   if (!mate) throw NotInterior(facet);
   std::vector<Because> reasons;

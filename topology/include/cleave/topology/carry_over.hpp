@@ -1,4 +1,6 @@
 #pragma once
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "cleave/topology/relabelling.hpp"
@@ -6,10 +8,15 @@
 namespace cleave::topology {
 
 /// Extends data held per vertex after a cut: each new vertex gets the value of its parent.
-/// `per_vertex` has change.vertices_before entries and gets change.vertices_after. Data on cells
-/// and half-facets needs nothing, since their numbers never change. Time: linear in the copies.
+/// `per_vertex` has change.vertices_before entries and gets change.vertices_after; throws
+/// std::invalid_argument if it has another number of them. Data on cells and half-facets needs
+/// nothing, since their numbers never change. Time: linear in the copies (amortised, as the vector
+/// grows).
 template <class T>
 void carry_over(std::vector<T>& per_vertex, const Relabelling& change) {
+  if (per_vertex.size() != change.vertices_before)
+    throw std::invalid_argument(std::to_string(per_vertex.size()) + " values are given for " +
+                                std::to_string(change.vertices_before) + " vertices");
   per_vertex.resize(change.vertices_after);
   for (const Split& split : change.splits)
     per_vertex[split.vertex.value] = per_vertex[split.parent.value];

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "cleave/topology/ids.hpp"
@@ -18,6 +19,8 @@ struct ComplexAccess;  // the few functions that build or change a Complex
 /// A validated value: a coherently oriented, cut-regular D-pseudo-manifold. Made by `assemble`;
 /// changed only by `unglue` and what is built on it, which keep that. Vertices carry no
 /// coordinates. Cells and half-facets never change their numbers.
+/// Ids given to it must exist: below cell_count(), half_facet_count() or vertex_count(). That is
+/// asserted, not checked.
 /// Memory for D = 3: 32 bytes per cell, 1 bit for its sign, 4 bytes per vertex.
 /// Const members may be called from several threads at once.
 template <int D>
@@ -36,8 +39,9 @@ class Complex {
   /// Vertex ids are below this number. Some may be used by no cell.
   std::size_t vertex_count() const { return a_corner_.size() + a_corner_of_copy_.size(); }
 
-  /// All cells, with their vertices in the order of the file.
-  std::span<const Cell<D>> cells() const { return cells_; }
+  /// All cells, with their vertices in the order of the file; a temporary complex hands them over.
+  std::span<const Cell<D>> cells() const& { return cells_; }
+  std::vector<Cell<D>> cells() && { return std::move(cells_); }
 
   /// The D+1 vertices of `cell`, in the order of the file.
   const Cell<D>& vertices(CellId cell) const {
@@ -57,10 +61,13 @@ class Complex {
     return m;
   }
 
-  bool is_interior(HalfFacetId h) const { return mates_[h.value].value != kNone; }
+  bool is_interior(HalfFacetId h) const { return mate(h).has_value(); }
 
   /// +1 if the orientation of `cell` is that of its tuple, -1 if it is the reverse.
-  int sign(CellId cell) const { return reversed_[cell.value] ? -1 : 1; }
+  int sign(CellId cell) const {
+    assert(cell.value < cells_.size());
+    return reversed_[cell.value] ? -1 : 1;
+  }
 
   /// The D vertices of half-facet `h` in the order of the cell's tuple.
   Facet<D> facet(HalfFacetId h) const {

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "cleave/topology/complex.hpp"
@@ -29,8 +30,9 @@ class FacetSet {
   template <int D>
   static FacetSet all(const Complex<D>& k);
 
-  /// The lesser half-facet of each facet, ascending.
-  std::span<const HalfFacetId> half_facets() const { return facets_; }
+  /// The lesser half-facet of each facet, ascending; a temporary set hands them over.
+  std::span<const HalfFacetId> half_facets() const& { return facets_; }
+  std::vector<HalfFacetId> half_facets() && { return std::move(facets_); }
   std::size_t size() const { return facets_.size(); }
   bool empty() const { return facets_.empty(); }
 

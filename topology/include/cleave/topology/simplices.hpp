@@ -11,7 +11,7 @@ namespace cleave::topology {
 
 /// The k-simplices of a complex, 0 <= k <= D, built on demand: every non-empty subset of a cell
 /// with k+1 vertices, once. A snapshot: it does not follow later cuts. Simplices are numbered in
-/// lexicographic order of their ascending vertices.
+/// lexicographic order of their ascending vertices. Spans refer to it and live as long.
 template <int D>
 class Simplices {
  public:
