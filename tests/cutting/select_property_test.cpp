@@ -61,6 +61,59 @@ RC_GTEST_PROP(SelectProperty, NearestVertexAgreesWithBruteForceInSpace, ()) {
   nearest_vertex_agrees<3>();
 }
 
+/// Every aligned plane (line), at full and half steps of a grid with exact and with rounded
+/// coordinates, against rational numbers; returns how often facets were chosen, and how often ties
+/// mattered.
+template <int D>
+std::pair<int, int> aligned_sweeps_agree(int nodes_per_axis) {
+  std::array<int, static_cast<std::size_t>(D)> nodes, normal;
+  nodes.fill(nodes_per_axis);
+  int chosen = 0, ties_mattered = 0;
+  const int span = nodes_per_axis - 1;
+  for (const double spacing : {1.0, 0.1}) {
+    const Body<D> body = bodies::kuhn<D>(nodes, spacing);
+    const auto points = bodies::duals(body);
+    for (int code = (D == 2 ? 9 : 27) / 2 + 1; code < (D == 2 ? 9 : 27); ++code) {
+      int rest = code, low = 0, high = 0;  // each normal up to its sign
+      for (int& n : normal) {
+        n = rest % 3 - 1;
+        rest /= 3;
+        low += std::min(n, 0) * span;
+        high += std::max(n, 0) * span;
+      }
+      for (double offset = low; offset <= high; offset += 0.5) {
+        const Sweep<D> sweep = bodies::aligned_plane<D>(body, normal, offset);
+        const auto by_dual_edge = Selector<D>(body.k, body.points).select(sweep.simplices);
+        EXPECT_EQ(list(by_dual_edge),
+                  rational::dual_edge<D>(body.k.cells(), points, sweep.simplices));
+        std::vector<HalfFacetId> of_ties[2];
+        for (const Ties ties : {Ties::by_id, Ties::both}) {
+          const Selector<D> selector(body.k, body.points, {Rule::nearest_vertex, ties});
+          auto& found = of_ties[ties == Ties::both ? 1 : 0];
+          found = list(selector.select(sweep.simplices));
+          const auto ends =
+              rational::closest_ends<D>(body.k.cells(), body.points, sweep.simplices, ties);
+          EXPECT_EQ(found, rational::nearest_vertex<D>(body.k.cells(), ends));
+        }
+        chosen += by_dual_edge.empty() ? 0 : 1;
+        ties_mattered += of_ties[0] != of_ties[1] ? 1 : 0;
+      }
+    }
+  }
+  return {chosen, ties_mattered};
+}
+
+TEST(SelectProperty, AlignedSweepsAgreeWithBruteForceInThePlane) {
+  const auto [chosen, ties_mattered] = aligned_sweeps_agree<2>(5);
+  EXPECT_GE(chosen, 60);
+  EXPECT_GE(ties_mattered, 10);
+}
+TEST(SelectProperty, AlignedSweepsAgreeWithBruteForceInSpace) {
+  const auto [chosen, ties_mattered] = aligned_sweeps_agree<3>(3);
+  EXPECT_GE(chosen, 60);
+  EXPECT_GE(ties_mattered, 10);
+}
+
 /// A larger body; exact answers are not compared there, only what theorems promise.
 template <int D>
 Body<D> any_body(Rng& rng) {
