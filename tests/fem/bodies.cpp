@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "cleave/fem/loads.hpp"
 #include "cleave/fem/stiffness.hpp"
 #include "cleave/support/meshes.hpp"
 #include "cleave/topology/assemble.hpp"
@@ -101,6 +102,23 @@ Point centroid(const Body& body, CellId cell) {
   for (const VertexId v : body.k.vertices(cell))
     for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += body.points[v.value][axis] / 4.0;
   return sum;
+}
+
+Materials layered(const Body& body, int layers, const Lame& even, const Lame& odd) {
+  Materials materials{{even, odd}, {}};
+  for (std::uint32_t c = 0; c < body.k.cell_count(); ++c)
+    materials.of_cell.push_back(static_cast<int>(centroid(body, {c})[2] * layers) % 2);
+  return materials;
+}
+
+Scene under_its_weight(Body body) {
+  Scene scene{std::move(body), {}, {}};
+  scene.supports = clamped(vertices_where(scene.body, [](const Point& p) { return p[2] == 0.0; }));
+  Loads loads;
+  loads.gravity = {0.3, 0.1, -1.0};
+  loads.density.assign(scene.body.k.cell_count(), 1.0);
+  scene.force = force_vector(scene.body.k, scene.body.points, loads);
+  return scene;
 }
 
 FacetSet facets_between(const Body& body, const std::function<bool(const Point&)>& chosen) {

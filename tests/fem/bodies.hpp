@@ -47,6 +47,17 @@ Body random_body(support::Rng& rng);
 /// does.
 Body medit_body(const std::string& path);
 
+/// `layers` layers of equal height across the unit cube: these two materials in turn.
+Materials layered(const Body& body, int layers, const Lame& even, const Lame& odd);
+
+/// A body clamped at z = 0 under its own weight, which pulls a little sideways too.
+struct Scene {
+  Body body;
+  Dirichlet supports;
+  Eigen::VectorXd force;
+};
+Scene under_its_weight(Body body);
+
 /// The interior facets between cells whose centroids `chosen` tells apart.
 topology::FacetSet facets_between(const Body& body,
                                   const std::function<bool(const Point&)>& chosen);

@@ -32,7 +32,7 @@ Eigen::MatrixXd random_spd(Eigen::Index size, double condition, support::Rng& rn
   return q * values.asDiagonal() * q.transpose();
 }
 
-RC_GTEST_PROP(ConjugateGradient, SolvesToTheTrueResidual, (std::uint64_t seed)) {
+RC_GTEST_PROP(ConjugateGradientProperty, SolvesToTheTrueResidual, (std::uint64_t seed)) {
   support::Rng rng(seed);
   const auto size = static_cast<Eigen::Index>(rng.between(1, 40));
   const Eigen::MatrixXd a = random_spd(size, 1e4, rng);
@@ -42,6 +42,11 @@ RC_GTEST_PROP(ConjugateGradient, SolvesToTheTrueResidual, (std::uint64_t seed)) 
   RC_ASSERT((b - a * result.x).norm() <= 1.0001e-8 * b.norm());
   RC_ASSERT(std::abs(result.residual - (b - a * result.x).norm() / b.norm()) <= 1e-12);
   RC_ASSERT(result.samples.size() == result.iterations() + 1);
+  RC_ASSERT(std::abs(result.samples.back().residual - result.residual) <= 1e-10);
+  for (std::size_t i = 0; i < result.samples.size(); ++i) {
+    RC_ASSERT(result.samples[i].iteration == i);
+    RC_ASSERT(result.samples[i].seconds >= (i == 0 ? 0.0 : result.samples[i - 1].seconds));
+  }
 }
 
 // The unit of the load changes nothing but the unit of the answer (powers of two: not even
@@ -161,7 +166,7 @@ TEST(ConjugateGradient, RefusesSizesAndTolerancesThatMeanNothing) {
 
 // With an exact reference: the estimate is within a factor 3 wherever there is one, and stopping by
 // it is safe.
-RC_GTEST_PROP(EnergyError, EstimateIsWithinAFactorThree, (std::uint64_t seed)) {
+RC_GTEST_PROP(EnergyErrorProperty, EstimateIsWithinAFactorThree, (std::uint64_t seed)) {
   support::Rng rng(seed);
   const auto size = static_cast<Eigen::Index>(rng.between(20, 120));
   const Eigen::MatrixXd a = random_spd(size, 1e4, rng);

@@ -4,6 +4,8 @@
 
 #include "bodies.hpp"
 #include "cleave/fem/loads.hpp"
+#include "cleave/fem/stiffness.hpp"
+#include "cleave/topology/pieces.hpp"
 
 namespace cleave::fem {
 namespace {
@@ -15,7 +17,7 @@ Materials two_materials(const Body& body) {
 }
 
 // "Bit for bit": every comparison below is exact.
-RC_GTEST_PROP(ElasticOperatorAfterCuts, EqualsANewOneBitForBit, (std::uint64_t seed)) {
+RC_GTEST_PROP(ElasticOperatorAfterCutsProperty, EqualsANewOneBitForBit, (std::uint64_t seed)) {
   support::Rng rng(seed);
   Body body = random_body(rng);
   const Materials materials = two_materials(body);
@@ -34,6 +36,24 @@ RC_GTEST_PROP(ElasticOperatorAfterCuts, EqualsANewOneBitForBit, (std::uint64_t s
     RC_ASSERT(one == other);
     RC_CLASSIFY(!change.splits.empty(), "split");
   }
+}
+
+// T9: a piece has no hinge to another one, so the matrix has a block per piece and nothing else.
+RC_GTEST_PROP(ElasticOperatorAfterCutsProperty, HasABlockPerPiece, (std::uint64_t seed)) {
+  support::Rng rng(seed);
+  Body body = random_body(rng);
+  cut(body, random_cut(body.k, rng));
+  const auto pieces = topology::pieces(body.k);
+  std::vector<std::uint32_t> piece_of(body.k.vertex_count());
+  for (std::uint32_t c = 0; c < body.k.cell_count(); ++c)
+    for (const VertexId v : body.k.vertices({c})) piece_of[v.value] = pieces.of_cell[c];
+  using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  const Matrix matrix = assemble_stiffness(uniform_operator(body, {1.0, 1.0}));
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+    for (Matrix::InnerIterator entry(matrix, row); entry; ++entry)
+      RC_ASSERT(piece_of[static_cast<std::size_t>(row / 3)] ==
+                piece_of[static_cast<std::size_t>(entry.col() / 3)]);
+  RC_CLASSIFY(pieces.count > 1, "several pieces");
 }
 
 // Taking a cut back: the corners get their old names again, and the operator its old values.
@@ -77,7 +97,7 @@ Eigen::Vector3d resultant(const Loads& loads) {
   return sum;
 }
 
-RC_GTEST_PROP(LoadsAfterCuts, KeepTheirTotal, (std::uint64_t seed)) {
+RC_GTEST_PROP(LoadsAfterCutsProperty, KeepTheirTotal, (std::uint64_t seed)) {
   support::Rng rng(seed);
   Body body = random_body(rng);
   Loads loads;

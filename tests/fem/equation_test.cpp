@@ -131,7 +131,7 @@ struct RandomCase {
   std::optional<ElasticOperator> k_operator;
 };
 
-RC_GTEST_PROP(ElasticOperator, AgreesWithTheAssembledMatrix, (std::uint64_t seed)) {
+RC_GTEST_PROP(ElasticOperatorProperty, AgreesWithTheAssembledMatrix, (std::uint64_t seed)) {
   RandomCase random(seed);
   const auto matrix = assemble_stiffness(*random.k_operator);
   const Eigen::VectorXd u = random_vector(random.k_operator->size(), random.rng);
@@ -142,7 +142,7 @@ RC_GTEST_PROP(ElasticOperator, AgreesWithTheAssembledMatrix, (std::uint64_t seed
   RC_ASSERT(std::abs(random.k_operator->energy(u) - 0.5 * u.dot(f)) <= 1e-13 * u.norm() * f.norm());
 }
 
-RC_GTEST_PROP(ElasticOperator, IsSymmetric, (std::uint64_t seed)) {
+RC_GTEST_PROP(ElasticOperatorProperty, IsSymmetric, (std::uint64_t seed)) {
   RandomCase random(seed);
   const Eigen::VectorXd u = random_vector(random.k_operator->size(), random.rng);
   const Eigen::VectorXd v = random_vector(random.k_operator->size(), random.rng);
@@ -153,7 +153,7 @@ RC_GTEST_PROP(ElasticOperator, IsSymmetric, (std::uint64_t seed)) {
             1e-13 * (u.norm() * kv.norm() + v.norm() * ku.norm()));
 }
 
-RC_GTEST_PROP(ElasticOperator, GivesNoForceForRigidModes, (std::uint64_t seed)) {
+RC_GTEST_PROP(ElasticOperatorProperty, GivesNoForceForRigidModes, (std::uint64_t seed)) {
   RandomCase random(seed);
   const double norm = infinity_norm(assemble_stiffness(*random.k_operator));
   const Eigen::MatrixXd modes = rigid_modes_of(random.body);
@@ -164,7 +164,7 @@ RC_GTEST_PROP(ElasticOperator, GivesNoForceForRigidModes, (std::uint64_t seed)) 
   }
 }
 
-RC_GTEST_PROP(ElasticOperator, DiagonalBlocksAreThoseOfTheMatrix, (std::uint64_t seed)) {
+RC_GTEST_PROP(ElasticOperatorProperty, DiagonalBlocksAreThoseOfTheMatrix, (std::uint64_t seed)) {
   RandomCase random(seed);
   const Eigen::MatrixXd matrix = assemble_stiffness(*random.k_operator);
   for (std::uint32_t v = 0; v < random.body.k.vertex_count(); ++v) {

@@ -61,6 +61,17 @@ TEST(EnergyErrorEstimate, IsWithinAFactorThreeOnALiverOfSeveralMaterials) {
   expect_good(study, 100);
 }
 
+TEST(EnergyErrorEstimate, IsWithinAFactorThreeOnLayersAMillionTimesSofter) {
+  const Scene scene = under_its_weight(distorted_cube(7, 0.2));
+  const ElasticOperator k_operator(scene.body.k, scene.body.points,
+                                   layered(scene.body, 6, lame_of(1.0, 0.3), lame_of(1e6, 0.3)));
+  SolveOptions options;
+  options.tolerance = 1e-6;
+  expect_good(study_estimate(scene.body.k, scene.body.points, k_operator, scene.supports,
+                             scene.force, options),
+              500);
+}
+
 TEST(EnergyErrorEstimate, AStudyJudgesByTheWorstIterate) {
   const EstimateStudy study{Outcome::converged, {{1, 9.0, 1.0}, {6, 1.0, 2.0}, {7, 1e-12, 1e-20}}};
   EXPECT_EQ(study.worst_factor(0, 1e-10), 9.0);

@@ -97,7 +97,7 @@ TEST(FreeRigidModes, AreFoundPerPiece) {
 }
 
 // T9 in numbers: the free modes counted are the zero eigenvalues of K on the free coordinates.
-RC_GTEST_PROP(FreeRigidModes, AreTheNullSpaceOfK, (std::uint64_t seed)) {
+RC_GTEST_PROP(FreeRigidModesProperty, AreTheNullSpaceOfK, (std::uint64_t seed)) {
   support::Rng rng(seed);
   const int n = rng.between(2, 3);
   Body body = distorted_cube(n, 0.15, rng.next());
