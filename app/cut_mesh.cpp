@@ -95,11 +95,10 @@ std::vector<NamedFacets> cut(const Body<D>& body, const CutOptions& options,
   result.report.requested = sorted.interior.size();
   result.report.not_interior = sorted.boundary.size();
   if (!sorted.boundary.empty())
-    result.warnings.push_back(fmt::format(
-        "{}: {} of the facets asked for are on the boundary already and are left alone, such as "
-        "({})",
-        options.mesh, sorted.boundary.size(),
-        listed(facet_vertices(*body.mesh, sorted.boundary.front()))));
+    result.warnings.push_back(
+        fmt::format("{}: {} on the boundary already and left alone, such as ({})", options.mesh,
+                    counted(sorted.boundary.size(), "facet asked for is", "facets asked for are"),
+                    listed(facet_vertices(*body.mesh, sorted.boundary.front()))));
   if (facets.empty()) result.warnings.push_back(options.mesh + ": no facet was asked for");
   attempted = sorted.interior;
   incision.cut(sorted.interior, options.verify);

@@ -69,7 +69,7 @@ void warn_of_dropped(const Mesh& mesh, const std::vector<VertexId>& used, Number
   const auto first =
       static_cast<std::size_t>(std::find(in_use.begin(), in_use.end(), false) - in_use.begin());
   output.warnings.push_back(fmt::format(
-      "{} dropped, because no cell uses them (the first is vertex {}){}",
+      "{} dropped, being in no cell (the first is vertex {}){}",
       counted(dropped, "vertex is", "vertices are"), mesh.vertex_numbers[first],
       numbering == Numbering::kept ? ""
                                    : "; vertices behind it are renumbered, since this format "

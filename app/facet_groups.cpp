@@ -291,8 +291,9 @@ void carry(const Renaming<D>& renaming, int k, const FacetCarrier<D>* facets,
     }
   }
   if (gone > 0)
-    output.warnings.push_back(fmt::format(
-        "{} of the {} are dropped, because they name a vertex that no cell uses", gone, plural(k)));
+    output.warnings.push_back(
+        fmt::format("{} of the {} {} dropped, naming a vertex that no cell uses", gone, plural(k),
+                    gone == 1 ? "is" : "are"));
 
   for (const Group& group : mesh.groups) {
     if (group.dimension != k) continue;

@@ -53,9 +53,10 @@ std::string advice(const SolveReport& solve) {
     case fem::Outcome::unsupported_piece: {
       const auto& piece = solve.floating.front();
       return fmt::format(
-          "nothing holds {}, such as piece {} around cell {}, which has {} free rigid motions; add "
+          "nothing holds {}, such as piece {} around cell {}, which has {}; add "
           "supports, or set \"on_unsupported\" to \"modulo_free_modes\"",
-          counted(solve.floating.size(), "piece"), piece.piece, piece.a_cell, piece.free_modes);
+          counted(solve.floating.size(), "piece"), piece.piece, piece.a_cell,
+          counted(piece.free_modes, "free rigid motion"));
     }
     case fem::Outcome::iteration_limit:
       return "raise \"max_iterations\" or \"tolerance\"";

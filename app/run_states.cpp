@@ -38,7 +38,7 @@ Mesh state_mesh(const Body<3>& body, const topology::Incision<3>& incision,
 Mesh bare_mesh(const Mesh& mesh) {
   Mesh bare = mesh;
   keep_cells_only(bare);
-  Field parent{"parent", 1, {}};
+  Field parent{"parent", 1, {}, true};
   for (const std::uint64_t number : mesh.vertex_numbers)
     parent.values.push_back(static_cast<double>(number));
   set_field(bare.point_fields, std::move(parent));

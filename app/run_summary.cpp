@@ -92,8 +92,8 @@ std::string solve_text(const SolveReport& solve) {
                   solve.energy_error ? fmt::format("about {:.1e}", *solve.energy_error) : "unknown",
                   solve.milliseconds);
   for (const auto& piece : solve.floating) {
-    text += fmt::format("  piece {} (cell {} and {} more) has {} free rigid motions", piece.piece,
-                        piece.a_cell, piece.cells - 1, piece.free_modes);
+    text += fmt::format("  piece {} (cell {} and {} more) has {}", piece.piece, piece.a_cell,
+                        piece.cells - 1, counted(piece.free_modes, "free rigid motion"));
     if (solve.has_displacement)
       text +=
           fmt::format("; load removed: force ({:.3g} {:.3g} {:.3g}), moment ({:.3g} {:.3g} {:.3g})",

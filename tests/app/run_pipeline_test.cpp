@@ -199,6 +199,15 @@ TEST(Run, AStrokeThatMissesIsAWarning) {
   EXPECT_NE(result.report.warnings[0].find("stroke 1 selects no facet"), std::string::npos);
 }
 
+TEST(Run, ParentsAreIntegersWithAndWithoutAComplex) {
+  for (const auto& result : {run({}), run({R"("strokes": [{"facets": []}])"})}) {
+    const auto& fields = result.vtu.back().mesh.point_fields;
+    ASSERT_EQ(fields.size(), 1u);
+    EXPECT_EQ(fields[0].name, "parent");
+    EXPECT_TRUE(fields[0].integer);
+  }
+}
+
 TEST(Run, SupportsWithoutASolveAreAWarning) {
   const auto result = run({kFloor, R"("strokes": [{"facets": []}])"});
   ASSERT_EQ(result.report.warnings.size(), 2u);
