@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "blade.hpp"
 #include "error.hpp"
 #include "files/input_text.hpp"
 #include "json_value.hpp"
@@ -33,16 +34,6 @@ std::array<double, N> read_point(const JsonValue& value) {
     if (!std::isfinite(point[i])) parts[i].fail("the number is too large");
   }
   return point;
-}
-
-cutting::Sweep<3> read_blade(const JsonValue& blade) {
-  std::vector<std::array<cutting::Point<3>, 2>> positions;
-  for (const JsonValue& position : blade.items()) {
-    const auto ends = items<2>(position, "ends of the blade");
-    positions.push_back({read_point<3>(ends[0]), read_point<3>(ends[1])});
-  }
-  if (positions.size() < 2) blade.fail("a blade needs at least two positions to sweep anything");
-  return cutting::sweep_of_blade(positions);
 }
 
 cutting::Sweep<3> read_triangles(const JsonValue& document) {
@@ -122,7 +113,7 @@ cutting::Sweep<D> read_sweep(const std::filesystem::path& path) {
           "this mesh is three-dimensional, so what cuts it is a \"blade\" or \"triangles\"");
     if (document.one_of({"blade", "triangles"}) == "blade") {
       document.only({"blade"});
-      return read_blade(document["blade"]);
+      return cutting::sweep_of_blade(read_blade(document["blade"]));
     }
     document.only({"triangles", "step_of_triangle"});
     return read_triangles(document);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "blade.hpp"
 #include "error.hpp"
 #include "json_value.hpp"
 #include "scene.hpp"
@@ -143,17 +144,6 @@ LoadSpec read_load(const JsonValue& value) {
   return load;
 }
 
-BladePath read_blade(const JsonValue& value) {
-  BladePath blade;
-  for (const auto& position : value.items()) {
-    const auto ends = position.items();
-    if (ends.size() != 2) position.fail("the blade's two ends [[x,y,z],[x,y,z]] are needed");
-    blade.positions.push_back({ends[0].vector(), ends[1].vector()});
-  }
-  if (blade.positions.size() < 2) value.fail("a blade needs at least two positions to sweep");
-  return blade;
-}
-
 FacetList read_facets(const JsonValue& value) {
   FacetList list;
   for (const auto& facet : value.items()) {
@@ -178,7 +168,7 @@ StrokeSpec read_stroke(const JsonValue& value, std::size_t number) {
   stroke.at = value.pointer();
   stroke.name = value.has("name") ? value["name"].string() : "stroke " + std::to_string(number);
   const auto kind = value.one_of({"blade", "facets", "group"});
-  if (kind == "blade") stroke.path = read_blade(value[kind]);
+  if (kind == "blade") stroke.path = BladePath{read_blade(value[kind])};
   if (kind == "facets") stroke.path = read_facets(value[kind]);
   if (kind == "group") stroke.path = read_groups(value[kind]);
   for (const auto* key : {"select", "ties"})
