@@ -179,6 +179,24 @@ TEST(Assemble, ThrowsAllViolationsAsData) {
   }
 }
 
+// Signs 1 and 2 differ, but not as +1 and -1 do.
+TEST(Assemble, RefusesSignsThatAreNone) {
+  auto soup = square();
+  soup.signs.assign(soup.cells.size(), 1);
+  EXPECT_NO_THROW(check(soup));
+  std::vector<std::vector<std::int8_t>> wrong(4, soup.signs);
+  wrong[0].pop_back();
+  wrong[1].push_back(1);
+  wrong[2].back() = 2;
+  wrong[3].front() = 0;
+  for (const auto& signs : wrong) {
+    soup.signs = signs;
+    EXPECT_THROW(check(soup), std::invalid_argument);
+    EXPECT_THROW(assemble(soup), std::invalid_argument);
+    EXPECT_THROW(assemble_regularized(soup), std::invalid_argument);
+  }
+}
+
 TEST(Assemble, RegularizesOnlyWhatIsOtherwiseSound) {
   auto soup = square();
   soup.cells.push_back({{{2}, {4}, {0}}});
@@ -199,6 +217,29 @@ TEST(RequireIdsSuffice, RefusesMoreCornersOrVerticesThanIds) {
   }
   EXPECT_THROW(check(CellSoup<3>{{}, kIds + 1, {}}), std::length_error);
   EXPECT_THROW(assemble(CellSoup<3>{{}, kIds + 1, {}}), std::length_error);
+}
+
+// In time that does not grow with the square of the crowd.
+TEST(Check, AVertexInManyEdgesIsOneFinding) {
+  constexpr std::uint32_t kEdges = 300000;
+  CellSoup<1> star{{}, kEdges + 1, {}};
+  for (std::uint32_t v = 1; v <= kEdges; ++v) star.cells.push_back({VertexId{0}, VertexId{v}});
+  EXPECT_EQ(only<FacetInThreeCells>(star).half_facets.size(), kEdges);
+}
+
+TEST(Check, CellsThatAreThereManyTimesAllRepeatTheFirst) {
+  CellSoup<2> soup{{}, 4, {}};
+  for (int n = 0; n < 100; ++n)
+    soup.cells.push_back({VertexId{2}, VertexId{n % 2 == 0}, VertexId{3}});
+  std::vector<DuplicateCell> duplicates;
+  for (const Violation& violation : check(soup))
+    if (const auto* duplicate = std::get_if<DuplicateCell>(&violation))
+      duplicates.push_back(*duplicate);
+  ASSERT_EQ(duplicates.size(), 98U);
+  for (const auto& [first, second] : duplicates) {
+    EXPECT_EQ(first.value, second.value % 2);
+    EXPECT_GT(second, first);
+  }
 }
 
 // A facet has one vertex and so one order: its orientation is the sign alone.

@@ -71,6 +71,7 @@ void find_orphans(const CellSoup<D>& soup, std::vector<Violation>& found) {
 template <int D>
 std::vector<Violation> check(const CellSoup<D>& soup, Level level) {
   require_ids_suffice(D, soup.cells.size(), soup.vertex_count);
+  detail::require_signs(soup);
   std::vector<Violation> found = detail::unsound_cells(soup);
   if (found.empty() && level >= Level::pseudo_manifold) {
     const detail::FacetMatching matching = detail::match_facets<D>(soup.cells, soup.vertex_count);

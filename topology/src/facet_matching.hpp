@@ -76,24 +76,25 @@ FacetMatching match_facets(const std::vector<Cell<D>>& cells, std::size_t vertex
       return key != other.key ? key < other.key : half_facet < other.half_facet;
     }
   };
-  const auto is_duplicate = [&](HalfFacetId one, HalfFacetId other) {
-    // Same facet and same opposite vertex: same cell. Told once, at the greatest vertex.
-    const Cell<D>& cell = cells[cell_of<D>(one).value];
-    const VertexId apex = cell[static_cast<std::size_t>(local_index<D>(one))];
-    return apex == *std::max_element(cell.begin(), cell.end()) &&
-           cells[cell_of<D>(other).value][static_cast<std::size_t>(local_index<D>(other))] == apex;
+  const auto apex = [&](HalfFacetId h) {
+    return cells[cell_of<D>(h).value][static_cast<std::size_t>(local_index<D>(h))];
   };
-  const auto tell_duplicates = [&](auto first, auto last) {
-    for (auto one = first; one != last; ++one) {
-      const bool told_before = std::any_of(first, one, [&](const Entry& earlier) {
-        return is_duplicate(earlier.half_facet, one->half_facet);
-      });
-      if (told_before) continue;
-      for (auto other = one + 1; other != last; ++other)
-        if (is_duplicate(one->half_facet, other->half_facet))
-          result.duplicates.emplace_back(cell_of<D>(one->half_facet),
-                                         cell_of<D>(other->half_facet));
-    }
+  // Same facet and same opposite vertex: same cell. Told once, at the greatest vertex.
+  const auto is_duplicate = [&](HalfFacetId one, HalfFacetId other) {
+    const Cell<D>& cell = cells[cell_of<D>(one).value];
+    return apex(one) == apex(other) && apex(one) == *std::max_element(cell.begin(), cell.end());
+  };
+  /// Each later cell with the first one that it repeats.
+  const auto tell_duplicates = [&](const std::vector<HalfFacetId>& crowd) {
+    std::vector<std::pair<VertexId, HalfFacetId>> by_apex;
+    for (const HalfFacetId h : crowd) by_apex.emplace_back(apex(h), h);
+    std::sort(by_apex.begin(), by_apex.end());
+    auto first = by_apex.begin();
+    for (auto other = first + 1; other != by_apex.end(); ++other)
+      if (is_duplicate(first->second, other->second))
+        result.duplicates.emplace_back(cell_of<D>(first->second), cell_of<D>(other->second));
+      else if (first->first != other->first)
+        first = other;
   };
   // Nearly all buckets are small and hold facets of one cell or two: those are compared pair by
   // pair, which needs no branch that is hard to foresee. If there is more to a bucket, nothing is
@@ -128,13 +129,16 @@ FacetMatching match_facets(const std::vector<Cell<D>>& cells, std::size_t vertex
       auto last = first + 1;
       while (last != bucket.end() && last->key == first->key) ++last;
       if (last - first == 2) {
-        result.mates[first->half_facet.value] = (first + 1)->half_facet;
-        result.mates[(first + 1)->half_facet.value] = first->half_facet;
+        const HalfFacetId one = first->half_facet, other = (first + 1)->half_facet;
+        result.mates[one.value] = other;
+        result.mates[other.value] = one;
+        if (is_duplicate(one, other))
+          result.duplicates.emplace_back(cell_of<D>(one), cell_of<D>(other));
       } else if (last - first > 2) {
         auto& crowd = result.crowded.emplace_back();
         for (auto entry = first; entry != last; ++entry) crowd.push_back(entry->half_facet);
+        tell_duplicates(crowd);
       }
-      if (last - first > 1) tell_duplicates(first, last);
       first = last;
     }
   }

@@ -11,8 +11,9 @@ namespace cleave::topology {
 /// All violations of `soup` up to `level`, and every orphan vertex, ordered by kind, then by id.
 /// Later kinds are looked for only where they have a meaning: orientation and stars once cells are
 /// sound (no degenerate cell, no vertex out of range), and no facet is in three cells.
-/// At most one NonOrientable is reported per piece. Throws std::length_error (too many cells).
-/// Time: linear up to cut_regular; edge_regular and manifold sort the edges around each vertex.
+/// At most one NonOrientable is reported per piece. Throws std::length_error (too many cells),
+/// std::invalid_argument (signs that are not one per cell, each +1 or -1). Time: linear up to
+/// cut_regular; edge_regular and manifold sort the edges around each vertex.
 template <int D>
 std::vector<Violation> check(const CellSoup<D>& soup, Level level = Level::manifold);
 
@@ -20,8 +21,8 @@ std::vector<Violation> check(const CellSoup<D>& soup, Level level = Level::manif
 /// For D = 4 the manifold level is not decided, and edge_regular is the highest answer.
 Level level_reached(int dimension, const std::vector<Violation>& violations);
 
-/// Signs (one per cell, +1 or -1) that make mates opposite; the first cell of each piece gets +1.
-/// If there are none: a loop of cells that anyone can re-check.
+/// Signs (one per cell, +1 or -1; those of `soup` do not matter) that make mates opposite; the
+/// first cell of each piece gets +1. If there are none: a loop of cells that anyone can re-check.
 /// Requires sound cells and no facet in three cells; throws InvalidComplex otherwise. Time: linear.
 template <int D>
 std::variant<std::vector<std::int8_t>, NonOrientable> orient(const CellSoup<D>& soup);
