@@ -2,6 +2,7 @@
 #include <array>
 #include <limits>
 #include <new>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkIntArray.h>
+#include <vtkLongArray.h>
 #include <vtkLongLongArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -67,6 +69,10 @@ vtkSmartPointer<Array> make_array(const std::string& name, int components, std::
   return array;
 }
 
+/// Of 64 bits. A legacy file calls such a long array "long", as every reader knows; a long long one
+/// "vtktypeint64", which version 4.2 of the format does not have.
+using IntegerArray = std::conditional_t<sizeof(long) == 8, vtkLongArray, vtkLongLongArray>;
+
 /// Fills an array by `value(entry, component)`.
 template <class Array, class Value>
 vtkSmartPointer<vtkDataArray> filled(const Field& field, std::size_t count, Value value) {
@@ -80,7 +86,7 @@ vtkSmartPointer<vtkDataArray> filled(const Field& field, std::size_t count, Valu
 
 template <class Value>
 vtkSmartPointer<vtkDataArray> field_array(const Field& field, std::size_t count, Value value) {
-  if (field.integer) return filled<vtkLongLongArray>(field, count, value);
+  if (field.integer) return filled<IntegerArray>(field, count, value);
   return filled<vtkDoubleArray>(field, count, value);
 }
 
