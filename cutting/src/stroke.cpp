@@ -1,5 +1,6 @@
 #include "cleave/cutting/stroke.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -10,6 +11,17 @@
 namespace cleave::cutting {
 
 using topology::FacetSet;
+
+namespace {
+
+/// Room for `more` elements; it doubles as a rule, so that it costs little in the long run.
+template <class T>
+void make_room(std::vector<T>& elements, std::size_t more) {
+  const std::size_t needed = elements.size() + more;
+  if (elements.capacity() < needed) elements.reserve(std::max(needed, 2 * elements.capacity()));
+}
+
+}  // namespace
 
 template <int D>
 StrokeResult cut_along(topology::Incision<D>& incision, std::vector<Point<D>>& points,
@@ -28,8 +40,10 @@ StrokeResult cut_along(topology::Incision<D>& incision, std::vector<Point<D>>& p
     if (toggled.empty()) continue;
     incision.forget_shut((pending & toggled) - left_by_others);
     const FacetSet scored = pending ^ toggled;
-    result.changes.push_back(incision.cut(scored, verify));
-    topology::carry_over(points, result.changes.back());
+    result.changes.emplace_back();
+    make_room(points, 2 * static_cast<std::size_t>(D) * (scored | incision.shut()).size());
+    result.changes.back() = incision.cut(scored, verify);
+    topology::carry_over(points, result.changes.back());  // there is room, so it does not throw
     pending = scored & incision.shut();
     const auto opened = (scored - pending).half_facets();
     settled.insert(settled.end(), opened.begin(), opened.end());

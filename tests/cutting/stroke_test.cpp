@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "bodies.hpp"
+#include "cleave/support/heap.hpp"
 #include "cleave/topology/check.hpp"
 #include "cleave/topology/pieces.hpp"
 
@@ -129,6 +130,33 @@ TEST(Stroke, ASweepThatMissesChangesNothing) {
   }
   EXPECT_EQ(incision.complex().vertex_count(), 64u);
   EXPECT_EQ(body.points.size(), 64u);
+}
+
+// Wherever memory ends, the points fit the complex, and the stroke can be made again.
+TEST(Stroke, PointsFollowTheIncisionEvenWhenMemoryEnds) {
+  const Body<2> body = bodies::kuhn<2>({4, 4}, 1);
+  const Sweep<2> across = sweep_of_polyline(
+      std::vector<Point<2>>{{-1, 1.4}, {0.6, 1.4}, {1.6, 1.6}, {2.4, 1.6}, {4, 1.4}});
+  Incision<2> incision(body.k);
+  std::vector<Point<2>> points = body.points;
+  std::size_t partly_cut = 0;
+  support::run_out_of_memory(
+      [&] {
+        incision = Incision<2>(body.k);
+        points = body.points;
+        cut_along(incision, points, across);
+      },
+      [&] {
+        ASSERT_EQ(points.size(), incision.complex().vertex_count());
+        for (std::uint32_t v = 0; v < points.size(); ++v)
+          ASSERT_EQ(points[v], body.points[incision.original({v}).value]);
+        if (points.size() == body.points.size()) return;
+        ++partly_cut;
+        cut_along(incision, points, across);
+        EXPECT_GE(topology::pieces(incision.complex()).count, 2u);
+      });
+  EXPECT_GT(partly_cut, 10u);
+  EXPECT_EQ(topology::pieces(incision.complex()).count, 2u);
 }
 
 // The last step is bad, and still nothing has been cut.

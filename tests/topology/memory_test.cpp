@@ -1,8 +1,6 @@
 // What a cut asks of the heap: little, and when it gets none, nothing has happened.
 #include <gtest/gtest.h>
 
-#include <new>
-
 #include "cleave/support/heap.hpp"
 #include "cleave/topology/incision.hpp"
 #include "cleave/topology/unglue.hpp"
@@ -32,21 +30,6 @@ Sight<D> sight_of(const Complex<D>& k) {
   return sight;
 }
 
-/// Repeats `action` with memory for 0, 1, 2, .. allocations until that is enough, and returns how
-/// many were needed. After each failure `unchanged` is expected to hold.
-template <class Action, class Unchanged>
-std::size_t run_out_of_memory(Action action, Unchanged unchanged) {
-  for (std::size_t allocations = 0;; ++allocations) {
-    try {
-      const support::MemoryLimit limit(allocations);
-      action();
-      return allocations;
-    } catch (const std::bad_alloc&) {
-    }
-    EXPECT_TRUE(unchanged()) << "after " << allocations << " allocations";
-  }
-}
-
 TYPED_TEST(Memory, UnglueThatRunsOutOfItChangesNothing) {
   constexpr int D = TypeParam::value;
   const auto before = complex_of<D>(kuhn_cube<D>(D <= 2 ? 5 : 3));
@@ -54,8 +37,8 @@ TYPED_TEST(Memory, UnglueThatRunsOutOfItChangesNothing) {
   const Sight<D> sight = sight_of(before);
   for (const Verify verify : {Verify::none, Verify::touched, Verify::all}) {
     Complex<D> k = before;
-    const std::size_t needed =
-        run_out_of_memory([&] { unglue(k, cut, verify); }, [&] { return sight_of(k) == sight; });
+    const std::size_t needed = support::run_out_of_memory([&] { unglue(k, cut, verify); },
+                                                          [&] { return sight_of(k) == sight; });
     EXPECT_GT(needed, verify == Verify::none ? 5u : 10u);
     Complex<D> at_once = before;
     ASSERT_FALSE(unglue(at_once, cut).splits.empty());
@@ -75,12 +58,13 @@ TYPED_TEST(Memory, AnIncisionThatRunsOutOfItChangesNothing) {
   const Sight<D> sight = sight_of(staged.complex());
   const auto opened = staged.opened();
   const FacetSet shut = staged.shut();
-  const std::size_t needed = run_out_of_memory([&] { staged.cut(cut); },
-                                               [&] {
-                                                 return sight_of(staged.complex()) == sight &&
-                                                        staged.opened() == opened &&
-                                                        staged.shut() == shut;
-                                               });
+  const std::size_t needed =
+      support::run_out_of_memory([&] { staged.cut(cut); },
+                                 [&] {
+                                   EXPECT_EQ(sight_of(staged.complex()), sight);
+                                   EXPECT_EQ(staged.opened(), opened);
+                                   EXPECT_EQ(staged.shut(), shut);
+                                 });
   EXPECT_GT(needed, 15u);
   Incision<D> at_once(original);
   at_once.cut(cut);

@@ -74,6 +74,13 @@ class Selector {
   /// that the choice does not depend on how copies happen to be numbered.
   Selector(const topology::Incision<D>& incision, const std::vector<Point<D>>& points,
            SelectOptions options = {});
+
+  /// Views of temporaries.
+  Selector(topology::Complex<D>&&, const std::vector<Point<D>>&, SelectOptions = {}) = delete;
+  Selector(const topology::Complex<D>&, std::vector<Point<D>>&&, SelectOptions = {}) = delete;
+  Selector(topology::Incision<D>&&, const std::vector<Point<D>>&, SelectOptions = {}) = delete;
+  Selector(const topology::Incision<D>&, std::vector<Point<D>>&&, SelectOptions = {}) = delete;
+
   ~Selector();
   Selector(Selector&&) noexcept;
   Selector& operator=(Selector&&) noexcept;

@@ -25,8 +25,9 @@ struct StrokeResult {
 ///
 /// `points` has one entry per vertex of the incision's complex, in rest coordinates, and is
 /// extended for copies. Throws std::invalid_argument for bad points or a bad sweep, as Selector and
-/// require_valid do, and then nothing has changed; else as Incision::cut, and then the steps before
-/// are done. Time: that of a Selector, plus per step that of `toggle` and of the cut.
+/// require_valid do, and then nothing has changed; else as Incision::cut, and then some steps are
+/// done, and `points` fit the complex as it is. Time: that of a Selector, plus per step that of
+/// `toggle` and of the cut.
 template <int D>
 StrokeResult cut_along(topology::Incision<D>& incision, std::vector<Point<D>>& points,
                        const Sweep<D>& sweep, SelectOptions options = {},

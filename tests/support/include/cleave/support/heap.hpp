@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <new>
 
 /// What `new` hands out in this program. Linking cleave_test_heap replaces it.
 namespace cleave::support {
@@ -20,5 +21,20 @@ class MemoryLimit {
   MemoryLimit(const MemoryLimit&) = delete;
   MemoryLimit& operator=(const MemoryLimit&) = delete;
 };
+
+/// Repeats `action` with memory for 0, 1, 2, .. allocations until that is enough; returns how many
+/// that are. Calls `after_failure` whenever it was not, with memory again.
+template <class Action, class AfterFailure>
+std::size_t run_out_of_memory(Action action, AfterFailure after_failure) {
+  for (std::size_t allocations = 0;; ++allocations) {
+    try {
+      const MemoryLimit limit(allocations);
+      action();
+      return allocations;
+    } catch (const std::bad_alloc&) {
+    }
+    after_failure();
+  }
+}
 
 }  // namespace cleave::support
