@@ -57,6 +57,11 @@ void ElasticOperator::update(const topology::Complex<3>& k, const topology::Rela
   if (k.cell_count() != cells_.size())
     throw std::invalid_argument("the complex has " + std::to_string(k.cell_count()) +
                                 " cells, the operator " + std::to_string(cells_.size()));
+  if (change.vertices_before != vertex_count() || change.vertices_after != k.vertex_count())
+    throw std::invalid_argument("the change leads from " + std::to_string(change.vertices_before) +
+                                " to " + std::to_string(change.vertices_after) +
+                                " vertices, the operator has " + std::to_string(vertex_count()) +
+                                ", the complex " + std::to_string(k.vertex_count()));
   std::vector<VertexId> touched;
   for (const topology::RenamedCorner& renamed : change.corners) {
     cells_[topology::cell_of<3>(renamed.corner).value]

@@ -91,6 +91,18 @@ TEST(ElasticOperatorAfterCuts, RefusesAnotherComplex) {
   EXPECT_THROW(k_operator.update(cube(2).k, {}), std::invalid_argument);
 }
 
+TEST(ElasticOperatorAfterCuts, RefusesAChangeThatIsNotTheNextOne) {
+  Body body = cube(3);
+  auto k_operator = uniform_operator(body, {1.0, 1.0});
+  const auto change = cut(body, facets_between(body, [](const Point& p) { return p[0] < 0.5; }));
+  ASSERT_FALSE(change.splits.empty());
+  EXPECT_THROW(k_operator.update(body.k, {}), std::invalid_argument);
+  EXPECT_EQ(k_operator.vertex_count(), change.vertices_before);
+  k_operator.update(body.k, change);
+  EXPECT_EQ(k_operator.vertex_count(), change.vertices_after);
+  EXPECT_THROW(k_operator.update(body.k, change), std::invalid_argument);
+}
+
 Eigen::Vector3d resultant(const Loads& loads) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const NodalForce& load : loads.nodal) sum += load.force;

@@ -32,7 +32,8 @@ class Dirichlet {
 
   /// Follows a change of the complex: what is prescribed at a vertex holds for all its copies, and
   /// moves to the vertex that a copy is merged into. Throws ContradictorySupport if merged copies
-  /// disagree, and then nothing has changed.
+  /// disagree, and then nothing has changed. Time: the prescribed coordinates, and the splits and
+  /// merges times a logarithm.
   void carry_over(const topology::Relabelling& change);
 
   bool prescribes(topology::VertexId vertex, int axis) const {

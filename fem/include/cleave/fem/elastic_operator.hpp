@@ -35,8 +35,9 @@ class ElasticOperator {
   Eigen::Index size() const { return 3 * static_cast<Eigen::Index>(diagonal_.size()); }
 
   /// Follows a change of the complex: `k` is the complex after it. Copies lie where their parents
-  /// do. Afterwards the operator equals a new one bit for bit. Time: the renamed corners and the
-  /// stars of their old and new vertices (and the growth of the diagonal).
+  /// do. Afterwards the operator equals a new one bit for bit. Throws std::invalid_argument if the
+  /// numbers of cells or vertices show that it is not the next change of this body. Time: the
+  /// renamed corners and the stars of their old and new vertices (and the growth of the diagonal).
   void update(const topology::Complex<3>& k, const topology::Relabelling& change);
 
   /// f = K u, in newtons for metres and pascals. `f` is resized; it must not be `u`.
