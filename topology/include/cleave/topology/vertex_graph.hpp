@@ -135,6 +135,7 @@ struct boost::graph_traits<cleave::topology::VertexGraph> {
   using edge_descriptor = cleave::topology::VertexEdge;
   using directed_category = boost::undirected_tag;
   using edge_parallel_category = boost::disallow_parallel_edge_tag;
+  // NOLINTNEXTLINE(readability-identifier-naming): the name boost::graph_traits asks for
   struct traversal_category : boost::vertex_list_graph_tag,
                               boost::incidence_graph_tag,
                               boost::adjacency_graph_tag,
