@@ -11,7 +11,32 @@ namespace cleave::app {
 struct Elements {
   std::vector<std::uint32_t> vertices;  // dimension+1 per element: 0-based places in Mesh::points
   std::vector<std::uint64_t> numbers;   // the file's own number of each element
+  /// Empty, or the element's nodes of second order, one per edge: places in Mesh::points, in the
+  /// order (0,1) (0,2) (0,3) (1,2) (1,3) (2,3) of the edge's ends in the element's tuple.
+  std::vector<std::uint32_t> midside = {};
   std::size_t size() const { return numbers.size(); }
+  bool second_order() const { return !midside.empty(); }
+};
+
+/// Zero-thickness elements between the two sides of opened facets: prisms (D = 3) or quadrangles
+/// (D = 2). They are no cells: the complex does not know them.
+struct CohesiveElements {
+  std::vector<std::uint32_t> vertices;  // 2*D per element: D on the minus side, then their
+                                        // counterparts on the plus side; places in Mesh::points
+  std::vector<std::uint64_t> numbers;   // the file's own number of each element
+  std::vector<std::string> names;       // the group of each element
+  std::size_t size() const { return numbers.size(); }
+};
+
+/// Vertices of the boundary that a periodic condition identifies, as gmsh's $Periodic lists them.
+struct Periodicity {
+  int dimension = 0;                    // of the two entities of the geometry
+  std::int64_t entity = 0, master = 0;  // their tags
+  std::vector<double> affine;           // 16 numbers that map the master onto the entity, or none
+  struct Pair {
+    std::uint32_t vertex, master;  // places in Mesh::points
+  };
+  std::vector<Pair> pairs;
 };
 
 /// A named set of elements of one dimension: a physical group, a label, a reference. Groups may
@@ -23,7 +48,7 @@ struct Group {
   std::vector<std::uint32_t> elements;  // places in Mesh::elements[dimension], ascending
 };
 
-/// Values per vertex or per cell that a .vtu or .vtk file carries.
+/// Values per point, cell or facet that a file carries.
 struct Field {
   std::string name;
   int components = 1;
@@ -43,8 +68,10 @@ struct Mesh {
   std::vector<std::uint64_t> vertex_numbers;  // the file's own, one per point
   std::array<Elements, 4> elements;  // by dimension: vertices, edges, triangles, tetrahedra
   std::vector<Group> groups;         // by dimension, then tag
-  std::vector<Field> point_fields,
-      cell_fields;                           // cell_fields: for elements of the highest dimension
+  std::vector<Field> point_fields, cell_fields,
+      facet_fields;  // for the elements of the highest dimension, and of one below it
+  CohesiveElements cohesive;
+  std::vector<Periodicity> periodic;
   bool two_dimensional_points = false;       // the format stored 2 coordinates (Medit Dimension 2)
   MshVersion msh_version = MshVersion::k41;  // of the .msh it was read from, and to write as .msh
 
