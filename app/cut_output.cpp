@@ -123,7 +123,8 @@ CutOutput cut_output(const Body<D>& body, const Incision<D>& incision,
     const VertexId v = output.vertex_at[place];
     renaming.place_of[v.value] = place;
     output.number_of[v.value] = output.mesh.vertex_numbers[place];
-    output.mesh.points.push_back(mesh.points[body.place(incision.original(v))]);
+    output.origin.push_back(body.place(incision.original(v)));
+    output.mesh.points.push_back(mesh.points[output.origin.back()]);
   }
 
   Elements& cells = output.mesh.elements[static_cast<std::size_t>(D)];

@@ -35,6 +35,8 @@ struct OneSidedSheet {
 struct CutOutput {
   Mesh mesh;
   std::vector<topology::VertexId> vertex_at;  // of incision.complex(), for each of mesh.points
+  std::vector<std::uint32_t> origin;          // place in body.mesh of each of mesh.points; where a
+                                      // point has several copies, the first one keeps its number
   std::vector<std::uint64_t> number_of;  // in `mesh`, of each vertex of incision.complex(); 0 if
                                          // it is not in use
   std::vector<OneSidedSheet> one_sided;
