@@ -258,6 +258,17 @@ Facets sample(const Facets& from, double density, Rng& rng) {
   return result;
 }
 
+/// All interior facets but one to four, where there are more than one.
+template <int D>
+std::optional<Facets> nearly_all(const Ground<D>& ground, Rng& rng) {
+  const std::size_t n = ground.interior.size();
+  if (n < 2) return std::nullopt;
+  Facets facets = ground.interior;
+  rng.shuffle(facets);
+  facets.resize(n - 1 - rng.below(std::min<std::size_t>(n - 1, 4)));
+  return facets;
+}
+
 template <int D>
 std::optional<Facets> facets_of_class(const Ground<D>& ground, CutClass cut_class, Rng& rng) {
   switch (cut_class) {
@@ -281,6 +292,8 @@ std::optional<Facets> facets_of_class(const Ground<D>& ground, CutClass cut_clas
       return shell<D>(ground, rng);
     case CutClass::everything:
       return ground.interior;
+    case CutClass::nearly:
+      return nearly_all<D>(ground, rng);
     case CutClass::random:
       return sample(ground.interior, 0.02 + 0.9 * rng.unit(), rng);
   }
@@ -290,9 +303,9 @@ std::optional<Facets> facets_of_class(const Ground<D>& ground, CutClass cut_clas
 }  // namespace
 
 std::string_view name(CutClass cut_class) {
-  constexpr std::array<std::string_view, 11> kNames{"single", "isolated",   "sheet", "rim",
-                                                    "tee",    "cross",      "star",  "book",
-                                                    "shell",  "everything", "random"};
+  constexpr std::array<std::string_view, kCutClasses.size()> kNames{
+      "single", "isolated", "sheet", "rim",        "tee",    "cross",
+      "star",   "book",     "shell", "everything", "nearly", "random"};
   return kNames[static_cast<std::size_t>(cut_class)];
 }
 

@@ -22,13 +22,14 @@ enum class CutClass {
   book,        // facets around one ridge and no others, three or more
   shell,       // closed: the facets around cells that have no boundary facet
   everything,  // all interior facets
+  nearly,      // all of them but one to four
   random       // each interior facet with some probability
 };
 
-inline constexpr std::array<CutClass, 11> kCutClasses{
-    CutClass::single, CutClass::isolated,   CutClass::sheet, CutClass::rim,
-    CutClass::tee,    CutClass::cross,      CutClass::star,  CutClass::book,
-    CutClass::shell,  CutClass::everything, CutClass::random};
+inline constexpr std::array<CutClass, 12> kCutClasses{
+    CutClass::single, CutClass::isolated,   CutClass::sheet,  CutClass::rim,
+    CutClass::tee,    CutClass::cross,      CutClass::star,   CutClass::book,
+    CutClass::shell,  CutClass::everything, CutClass::nearly, CutClass::random};
 
 std::string_view name(CutClass cut_class);
 
