@@ -2,39 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "disjoint_sets.hpp"
 #include "faces.hpp"
+#include "incidence.hpp"
 
 namespace cleave::topology {
 namespace {
-
-/// Disjoint sets of 0 .. size-1, joined one pair at a time.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t size) : parent_(size), count_(size) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    if (a == b) return;
-    parent_[std::max(a, b)] = std::min(a, b);
-    --count_;
-  }
-  std::size_t count() const { return count_; }
-
- private:
-  std::uint32_t find(std::uint32_t a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
-
-  std::vector<std::uint32_t> parent_;
-  std::size_t count_;
-};
 
 /// A face of `of`, which is a cell or a boundary facet by its position in a list.
 template <std::size_t Size>
@@ -61,7 +37,7 @@ std::vector<FaceOf<K + 1>> sorted_faces(const std::vector<Cell<D>>& simplices) {
 /// The number of sets that `count` simplices form when those with a common face are joined.
 template <std::size_t Size>
 std::size_t components(std::size_t count, const std::vector<FaceOf<Size>>& faces) {
-  DisjointSets sets(count);
+  detail::DisjointSets sets(count);
   for (std::size_t i = 1; i < faces.size(); ++i)
     if (faces[i].face == faces[i - 1].face) sets.join(faces[i].of, faces[i - 1].of);
   return sets.count();
@@ -78,20 +54,12 @@ std::vector<std::array<VertexId, Size>> in_one_only(const std::vector<FaceOf<Siz
   return single;
 }
 
-template <int K, int D>
-std::int64_t distinct_faces(const std::vector<Cell<D>>& cells) {
-  std::vector<std::array<VertexId, K + 1>> faces;
-  faces.reserve(cells.size() * detail::face_count(D, K));
-  for (const Cell<D>& cell : cells)
-    detail::for_each_face<K, D>(cell, [&](const auto& face) { faces.push_back(face); });
-  std::sort(faces.begin(), faces.end());
-  return std::unique(faces.begin(), faces.end()) - faces.begin();
-}
-
 template <int D>
 std::int64_t euler_characteristic(const std::vector<Cell<D>>& cells) {
   return [&]<int... K>(std::integer_sequence<int, K...>) {
-    return ((K % 2 == 0 ? distinct_faces<K, D>(cells) : -distinct_faces<K, D>(cells)) + ...);
+    return ((static_cast<std::int64_t>(detail::distinct_simplices<K, D>(cells).size()) *
+             (K % 2 == 0 ? 1 : -1)) +
+            ...);
   }
   (std::make_integer_sequence<int, D + 1>{});
 }

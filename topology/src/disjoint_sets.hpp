@@ -1,0 +1,35 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace cleave::topology::detail {
+
+/// Disjoint sets of 0 .. size-1, joined one pair at a time.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t size) : parent_(size), count_(size) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    if (a == b) return;
+    parent_[std::max(a, b)] = std::min(a, b);
+    --count_;
+  }
+  std::size_t count() const { return count_; }
+
+ private:
+  std::uint32_t find(std::uint32_t a) {
+    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
+    return a;
+  }
+
+  std::vector<std::uint32_t> parent_;
+  std::size_t count_;
+};
+
+}  // namespace cleave::topology::detail
