@@ -10,4 +10,26 @@ VertexId Relabelling::parent(VertexId vertex) const {
   return at != splits.end() && at->vertex == vertex ? at->parent : vertex;
 }
 
+VertexId Relabelling::merged(VertexId vertex) const {
+  const auto at = std::lower_bound(merges.begin(), merges.end(), vertex,
+                                   [](const Merge& m, VertexId v) { return m.vertex < v; });
+  return at != merges.end() && at->vertex == vertex ? at->into : vertex;
+}
+
+Relabelling inverse(const Relabelling& change) {
+  Relabelling back;
+  back.vertices_before = change.vertices_after;
+  back.vertices_after = change.vertices_before;
+  back.corners.reserve(change.corners.size());
+  for (const RenamedCorner& renamed : change.corners)
+    back.corners.push_back({renamed.corner, renamed.to, renamed.from});
+  back.splits.reserve(change.merges.size());
+  for (const Merge& merge : change.merges) back.splits.push_back({merge.vertex, merge.into});
+  back.merges.reserve(change.splits.size());
+  for (const Split& split : change.splits) back.merges.push_back({split.vertex, split.parent});
+  back.opened = change.closed;
+  back.closed = change.opened;
+  return back;
+}
+
 }  // namespace cleave::topology

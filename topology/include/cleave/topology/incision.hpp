@@ -12,7 +12,13 @@ namespace cleave::topology {
 
 /// A complex with its scored facets: all facets asked for and not taken back. Those that opened are
 /// boundary now, those that are shut open later when their rim is released. The state is a function
-/// of the original complex and the scored set alone (T8, T12).
+/// of the original complex and the scored set alone (T8, T12), up to the ids of copies.
+///
+/// Ids of copies are handles, stable as long as their corners keep together: of the corners at a
+/// vertex that a cut separates, or a stitch joins, those with the least corner keep their id. A new
+/// copy gets the least id that is free, and unused ids at the end are dropped. So the bound on ids
+/// never exceeds the most that were in use at one time, and taking the latest cut back gives the
+/// very ids from before it.
 template <int D>
 class Incision {
  public:
@@ -25,10 +31,11 @@ class Incision {
   std::size_t original_vertex_count() const { return original_vertex_count_; }
 
   /// The vertex of the original complex that `vertex`, one of complex(), is or is a copy of.
+  /// Without meaning for an unused id.
   VertexId original(VertexId vertex) const;
 
-  /// The opened facets, ascending, each with its former mates; `by` is a vertex of the original
-  /// complex. Time: linear in them, and sorting.
+  /// The opened facets, ascending, each with its former mates; `by` is the least vertex of the
+  /// original complex that separates them now. Time: linear in them, and sorting.
   std::vector<OpenedFacet> opened() const;
 
   /// Scored facets that are interior still.
@@ -49,11 +56,44 @@ class Incision {
   /// the shut facets together.
   Relabelling cut(const FacetSet& facets, Verify verify = Verify::touched);
 
-  /// Takes shut facets back: they are scored no longer. Nothing opens or closes. Facets of `facets`
-  /// that are not shut are left alone.
+  /// Takes facets back, opened or shut: they are scored no longer, and the state is the one that
+  /// cutting the others from the start gives (T12). Facets of `facets` that are not scored are left
+  /// alone. Of the result, `merges` lists the copies that ceased to exist, `closed` the facets that
+  /// are interior again: those taken back that were opened, and others that no vertex separates any
+  /// more, which are scored still and are listed as `shut`, too. Throws std::bad_alloc,
+  /// InvariantBroken if the verification fails (a defect of ours); the incision is as it was then.
+  /// Time: linear in the stars of the vertices of `facets` before and after (and sorting), and a
+  /// pass over shut() if that changes; independent of the size of the complex and of other cuts.
+  Relabelling stitch(const FacetSet& facets, Verify verify = Verify::touched);
+
+  /// The merges that stitch(facets) would report, so that whoever holds data that cannot be merged
+  /// can refuse before anything has changed. Time: linear in `facets`, and sorting.
+  std::vector<Merge> planned_merges(const FacetSet& facets) const;
+
+  /// Takes shut facets back: as stitch(facets & shut()). Nothing opens or closes.
   void forget_shut(const FacetSet& facets);
 
+  /// Whether a step can be taken back, or done again. A step is a call of cut, stitch or
+  /// forget_shut that changed the scored set; a new one ends what can be done again.
+  bool can_undo() const { return !done_.empty(); }
+  bool can_redo() const { return !undone_.empty(); }
+
+  /// Takes the latest step back, or does the step again that was taken back last, with its facets
+  /// alone: a step is kept as the facets by which it changed the scored set. Throw std::logic_error
+  /// if there is none; else as cut and stitch, whose cost they have.
+  Relabelling undo(Verify verify = Verify::touched);
+  Relabelling redo(Verify verify = Verify::touched);
+
+  /// Drops all steps, to be taken back or done again, and their memory. The state stays.
+  void forget_steps();
+
  private:
+  /// By which facets a call changed the scored set.
+  struct Step {
+    FacetSet facets;
+    bool scored = true;  // or taken back
+  };
+
   void make_room_for_copies(std::size_t copies);
   void forget_sides(HalfFacetId half_facet);  // does not throw
 
@@ -67,6 +107,7 @@ class Incision {
   std::unordered_map<HalfFacetId, Side>
       sides_;  // of opened facets, both; with the mates to restore
   FacetSet shut_;
+  std::vector<Step> done_, undone_;
 };
 
 /// The numbering every writer uses: result[v] is the number of vertex v. Original vertices keep

@@ -13,7 +13,8 @@ struct RenamedCorner {
   friend bool operator==(const RenamedCorner&, const RenamedCorner&) = default;
 };
 
-/// A new vertex and the vertex it copies.
+/// A new vertex and the vertex it copies. Its id may be that of a copy that ceased to exist
+/// earlier.
 struct Split {
   VertexId vertex, parent;
   friend bool operator==(const Split&, const Split&) = default;
@@ -33,19 +34,29 @@ struct OpenedFacet {
   friend bool operator==(const OpenedFacet&, const OpenedFacet&) = default;
 };
 
-/// What a change of a complex did: a value, proportional to the change. The only message a cut
-/// sends; whoever keeps data on vertices, corners or facets reads it and follows.
+/// What a change of a complex did: a value, proportional to the change. The only message a cut or a
+/// stitch sends; whoever keeps data on vertices, corners or facets reads it and follows. A cut
+/// splits and opens, a stitch merges and closes.
 struct Relabelling {
   std::size_t vertices_before = 0, vertices_after = 0;  // bounds on vertex ids
   std::vector<RenamedCorner> corners;                   // ascending by corner
   std::vector<Split> splits;                            // ascending by vertex
   std::vector<Merge> merges;                            // ascending by vertex
   std::vector<OpenedFacet> opened;                      // ascending by half_facet
+  std::vector<OpenedFacet> closed;  // interior again: as the way back opens them
   std::vector<HalfFacetId>
-      shut;  // facets asked for that stay interior: the lesser half-facets, ascending
+      shut;  // scored facets that are interior: the lesser half-facets, ascending
 
   /// The vertex that `vertex` copies, or `vertex` itself if it is no copy made by this change.
   VertexId parent(VertexId vertex) const;
+
+  /// The vertex that `vertex`, one of before, is merged into, or `vertex` itself. Time:
+  /// logarithmic.
+  VertexId merged(VertexId vertex) const;
 };
+
+/// The change back: splits become merges, opened facets closed ones, and the other way round. It
+/// says nothing of shut facets, since `change` does not know which were scored before.
+Relabelling inverse(const Relabelling& change);
 
 }  // namespace cleave::topology
