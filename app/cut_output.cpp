@@ -112,6 +112,7 @@ CutOutput cut_output(const Body<D>& body, const Incision<D>& incision,
   output.mesh.dimension = mesh.dimension;
   output.mesh.two_dimensional_points = mesh.two_dimensional_points;
   output.mesh.msh_version = mesh.msh_version;
+  output.mesh.msh_binary = mesh.msh_binary;
   output.vertex_at = used_in_order(incision);
   warn_of_dropped(mesh, output.vertex_at, numbering, output);
   number_vertices(body, numbering, output);

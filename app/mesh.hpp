@@ -19,7 +19,9 @@ struct Elements {
 };
 
 /// Zero-thickness elements between the two sides of opened facets: prisms (D = 3) or quadrangles
-/// (D = 2). They are no cells: the complex does not know them.
+/// (D = 2). They are no cells: the complex does not know them. Vertices on the minus side come in
+/// the order whose normal points to the plus side (D = 3: by the right hand; D = 2: plus is to the
+/// left of the way from the first to the second), which is positive in gmsh's and Abaqus's sense.
 struct CohesiveElements {
   std::vector<std::uint32_t> vertices;  // 2*D per element: D on the minus side, then their
                                         // counterparts on the plus side; places in Mesh::points
@@ -74,6 +76,10 @@ struct Mesh {
   std::vector<Periodicity> periodic;
   bool two_dimensional_points = false;       // the format stored 2 coordinates (Medit Dimension 2)
   MshVersion msh_version = MshVersion::k41;  // of the .msh it was read from, and to write as .msh
+  bool msh_binary = false;                   // its form: binary, or text
+  /// What the file holds and this does not: a sentence each, with the place in the file. Commands
+  /// say them as warnings.
+  std::vector<std::string> dropped;
 
   const Elements& cells() const { return elements[static_cast<std::size_t>(dimension)]; }
   const Elements& facets() const { return elements[static_cast<std::size_t>(dimension - 1)]; }

@@ -16,8 +16,17 @@
 
 namespace cleave::app {
 
+namespace {
+
+/// The path without an extension .gz.
+std::filesystem::path unpacked(const std::filesystem::path& path) {
+  return is_gzip_name(path) ? path.parent_path() / path.stem() : path;
+}
+
+}  // namespace
+
 MeshFormat format_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
+  std::string extension = unpacked(path).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (extension == ".mesh") return MeshFormat::kMedit;
   if (extension == ".msh") return MeshFormat::kGmsh;
@@ -31,6 +40,10 @@ MeshFormat format_of(const std::filesystem::path& path) {
 namespace {
 
 Mesh read_format(const std::filesystem::path& path, MeshFormat format) {
+  const bool is_vtk = format == MeshFormat::kVtu || format == MeshFormat::kVtk;
+  if (is_vtk && is_gzip_name(path))
+    throw InputError("'" + path.string() +
+                     "': VTK files are read as they are, not compressed by gzip; unpack it first");
   switch (format) {
     case MeshFormat::kMedit:
       return read_medit(InputText(path));
@@ -44,14 +57,17 @@ Mesh read_format(const std::filesystem::path& path, MeshFormat format) {
   return read_vtk(path, VtkFormat::kLegacy);
 }
 
-GroupIntegers write_format(OutputFile& file, MeshFormat format, const Mesh& mesh) {
+GroupIntegers write_format(OutputFile& file, MeshFormat format, const Mesh& mesh,
+                           const WriteOptions& options) {
   GroupIntegers integers;
   TextOutput out(file);
   switch (format) {
     case MeshFormat::kMedit:
       return write_medit(out, mesh);
     case MeshFormat::kGmsh:
-      write_msh(out, mesh);
+      write_msh(out, mesh,
+                {options.msh_version.value_or(mesh.msh_version),
+                 options.binary.value_or(mesh.msh_binary)});
       break;
     case MeshFormat::kVtu:
       out << write_vtk(mesh, VtkFormat::kXml, integers);
@@ -66,7 +82,7 @@ GroupIntegers write_format(OutputFile& file, MeshFormat format, const Mesh& mesh
 }  // namespace
 
 std::filesystem::path groups_path(const std::filesystem::path& mesh_path) {
-  std::filesystem::path path = mesh_path;
+  std::filesystem::path path = unpacked(mesh_path);
   path += ".groups.json";
   return path;
 }
@@ -84,10 +100,16 @@ Mesh read_mesh(const std::filesystem::path& path) {
   return mesh;
 }
 
-void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options) {
   const MeshFormat format = format_of(path);
+  if (is_gzip_name(path))
+    throw InputError("'" + path.string() + "': compressed files are read, not written; write '" +
+                     unpacked(path).string() + "' and compress it with gzip");
+  if (format != MeshFormat::kGmsh && (options.msh_version || options.binary))
+    throw InputError("'" + path.string() +
+                     "': a version or a form, text or binary, can be chosen for .msh files only");
   OutputFile file(path);
-  const GroupIntegers integers = write_format(file, format, mesh);
+  const GroupIntegers integers = write_format(file, format, mesh, options);
   const std::string names = integers.to_json();
   if (!names.empty()) {
     OutputFile groups(groups_path(path));

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "error.hpp"
+#include "files/gzip.hpp"
 
 namespace cleave::app {
 namespace {
@@ -74,6 +75,11 @@ InputText::InputText(const std::filesystem::path& path) : source_(path.string())
     size_ += read_up_to(file, path, bytes_.get() + size_, capacity - size_);
   }
   if (size_ == 0) fail_empty(path);
+  if (!is_gzip_name(path)) return;
+  OwnedBytes unpacked = unpack_gzip(source_, bytes(), most_unpacked());
+  if (unpacked.size == 0) fail_empty(path);
+  bytes_ = std::move(unpacked.bytes);
+  size_ = unpacked.size;
 }
 
 InputText::InputText(std::string source, std::string_view bytes)
@@ -86,11 +92,20 @@ void InputText::fail(const char* place, const std::string& message) const {
   throw InputError(source_ + ":" + std::to_string(line) + ": " + message);
 }
 
+void InputText::fail_at_byte(const char* place, const std::string& message) const {
+  throw InputError(source_ + ": byte " + std::to_string(place - begin()) + ": " + message);
+}
+
 void InputText::fail_format(const std::string& expected) const {
   const std::string_view found = describe_content(bytes());
   std::string message = "this is not " + expected;
   if (!found.empty()) message += "; it looks like " + std::string(found);
   fail(begin(), message + ". The extension must name the format of the content");
+}
+
+bool is_gzip_name(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  return extension == ".gz" || extension == ".GZ";
 }
 
 std::size_t require_readable_file(const std::filesystem::path& path) {
@@ -113,7 +128,7 @@ std::string printable(std::string_view text, std::size_t longest) {
 
 std::string_view describe_content(std::string_view bytes) {
   const auto starts = [&](std::string_view with) { return bytes.substr(0, with.size()) == with; };
-  if (starts("\x1f\x8b")) return "a gzip archive (unpack it first)";
+  if (starts("\x1f\x8b")) return "a gzip archive (unpack it, or add .gz to its name)";
   if (starts("# vtk DataFile")) return "a legacy VTK file (.vtk)";
   const std::string_view head = bytes.substr(0, 4096);
   if (head.find('\0') != std::string_view::npos) return "binary data";

@@ -11,7 +11,9 @@ namespace cleave::app {
 /// lines while reading; a message does, from the place it speaks of.
 class InputText {
  public:
-  /// Throws InputError if the file is missing, a folder, unreadable or empty.
+  /// A file whose extension is `.gz` is unpacked, and lines are those of its content. Throws
+  /// InputError if the file is missing, a folder, unreadable or empty, or no good gzip file (see
+  /// unpack_gzip).
   explicit InputText(const std::filesystem::path& path);
 
   /// For text that is already in memory; `source` is the name messages quote.
@@ -26,6 +28,9 @@ class InputText {
   /// on.
   [[noreturn]] void fail(const char* place, const std::string& message) const;
 
+  /// Throws InputError("SOURCE: byte OFFSET: message"), for a place in binary data.
+  [[noreturn]] void fail_at_byte(const char* place, const std::string& message) const;
+
   /// Throws InputError for content that is not of the `expected` format, and says what it looks
   /// like instead.
   [[noreturn]] void fail_format(const std::string& expected) const;
@@ -35,6 +40,9 @@ class InputText {
   std::unique_ptr<char[]> bytes_;
   std::size_t size_ = 0;
 };
+
+/// True if the extension of `path` is `.gz` or `.GZ`.
+bool is_gzip_name(const std::filesystem::path& path);
 
 /// Throws InputError if there is no file that can be read and has content at `path`; for readers
 /// that do the reading themselves. Returns its size in bytes.

@@ -19,14 +19,16 @@ namespace cleave::app {
 /// ($Periodic, $NodeData, ...) are skipped.
 Mesh read_msh(const InputText& text);
 
-/// Writes a gmsh file in mesh.msh_version. Numbers are kept if they are distinct and positive (the
-/// elements' over all dimensions together), else everything is numbered from 1 on. Version 2.2
-/// repeats an element that is in several groups, as gmsh does. Throws OutputError for a group whose
-/// name the format cannot hold.
-void write_msh(TextOutput& out, const Mesh& mesh);
+struct MshForm {
+  MshVersion version;
+  bool binary;  // in the machine's order of bytes
+};
 
-/// gmsh's number of the linear simplex of a dimension.
-inline constexpr int kMshType[4] = {15, 1, 2, 4};
+/// Writes a gmsh file. Numbers are kept if they are distinct and positive (the elements' over all
+/// dimensions together) and fit (binary 2.2 has 32 bits), else everything is numbered from 1 on.
+/// Version 2.2 repeats an element that is in several groups, as gmsh does. Throws OutputError for a
+/// group or field whose name the format cannot hold.
+void write_msh(TextOutput& out, const Mesh& mesh, const MshForm& form);
 
 /// One $Section .. $EndSection of a file.
 struct MshSection {

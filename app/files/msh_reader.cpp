@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "files/msh_format.hpp"
+#include "files/msh_kind.hpp"
 
 namespace cleave::app {
 namespace {
@@ -201,7 +202,7 @@ std::uint32_t MshContent::add_element(Row& row, int dimension, std::uint64_t num
 
 int msh_dimension(const Row& row, int type, std::optional<std::uint64_t> number) {
   for (int dimension = 0; dimension <= 3; ++dimension)
-    if (kMshType[dimension] == type) return dimension;
+    if (msh_simplex(dimension, false).type == type) return dimension;
   const bool known = type >= 1 && type <= static_cast<int>(kTypeNames.size());
   const std::string name = known ? kTypeNames[static_cast<std::size_t>(type - 1)] : "element";
   const std::string who = number ? "element " + std::to_string(*number) + " is" : "these are";

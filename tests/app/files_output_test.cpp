@@ -179,7 +179,7 @@ TEST_F(Output, FilesThatCannotBeReadAreNamed) {
     std::filesystem::create_directories(path("folder" + extension));
     expect_reading_error(path("folder" + extension), {"folder" + extension, "Is a directory"});
   }
-  for (const char* name : {"a.stl", "a", "a.mesh.gz", ".mesh"})
+  for (const char* name : {"a.stl", "a", "a.gz", "a.stl.gz", ".mesh"})
     expect_reading_error(put(name, "x"), {"extension", ".mesh", ".msh", ".vtu", ".vtk"});
   put("secret.mesh", "x");
   ASSERT_EQ(chmod(path("secret.mesh").c_str(), 0), 0);

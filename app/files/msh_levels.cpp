@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+#include "error.hpp"
+#include "files/msh_output.hpp"
+
+namespace cleave::app {
+namespace {
+
+/// True if numbers can be kept in a .msh file: all positive and at most `greatest`, no two equal.
+bool can_be_kept(std::vector<std::uint64_t> numbers, std::uint64_t greatest) {
+  if (!std::is_sorted(numbers.begin(), numbers.end())) std::sort(numbers.begin(), numbers.end());
+  return numbers.empty() || (numbers.front() > 0 && numbers.back() <= greatest &&
+                             std::adjacent_find(numbers.begin(), numbers.end()) == numbers.end());
+}
+
+std::vector<std::uint64_t> kept_or_counted(std::vector<std::uint64_t> numbers,
+                                           std::uint64_t greatest) {
+  if (can_be_kept(numbers, greatest)) return numbers;
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = i + 1;
+  if (!numbers.empty() && numbers.back() > greatest)
+    throw OutputError("the mesh has more than " + std::to_string(greatest) +
+                      " nodes or elements, which this form of a .msh file cannot number; write "
+                      "version 4.1");
+  return numbers;
+}
+
+/// Corners and midside nodes of each element, in gmsh's order.
+std::vector<std::uint32_t> second_order_nodes(const Elements& elements, const MshKind& kind) {
+  std::vector<std::uint32_t> nodes;
+  nodes.reserve(kind.nodes() * elements.size());
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    for (std::size_t k = 0; k < kind.corners; ++k)
+      nodes.push_back(elements.vertices[kind.corners * e + k]);
+    for (std::size_t k = 0; k < kind.midside; ++k)
+      nodes.push_back(elements.midside[kind.midside * e + msh_midside(kind.dimension, k)]);
+  }
+  return nodes;
+}
+
+/// The groups that the names of the cohesive elements say, as groups of cells' dimension. A name
+/// that the cells' groups have is the same group.
+void add_cohesive_groups(const Mesh& mesh, MshLevel& cells, MshLevel& cohesive) {
+  std::map<std::string, std::size_t> places;
+  for (std::size_t g = 0; g < cells.groups.size(); ++g) places.emplace(cells.groups[g].name, g);
+  std::vector<std::vector<std::uint32_t>> members(cells.groups.size());
+  for (std::size_t e = 0; e < cohesive.count; ++e) {
+    const std::string& name = mesh.cohesive.names[e];
+    if (name.empty()) continue;
+    const auto [known, is_new] = places.emplace(name, cells.groups.size());
+    if (is_new) {
+      cells.groups.push_back({name, cells.kind.dimension, 0, {}});
+      members.emplace_back();
+    }
+    members[known->second].push_back(static_cast<std::uint32_t>(e));
+  }
+  cells.tags = distinct_tags(cells.groups, 1);
+  cohesive.groups = cells.groups;
+  cohesive.tags = cells.tags;
+  for (std::size_t g = 0; g < members.size(); ++g)
+    cohesive.groups[g].elements = std::move(members[g]);
+}
+
+MshLevel simplices(const Mesh& mesh, int dimension) {
+  const Elements& elements = mesh.elements[static_cast<std::size_t>(dimension)];
+  MshLevel level;
+  level.kind = msh_simplex(dimension, elements.second_order());
+  level.count = elements.size();
+  level.groups = groups_of(mesh, dimension);
+  level.tags = distinct_tags(level.groups, 1);
+  level.vertices = &elements.vertices;
+  if (elements.second_order()) level.reordered = second_order_nodes(elements, level.kind);
+  return level;
+}
+
+MshLevel cohesive_level(const Mesh& mesh, MshLevel& cells) {
+  MshLevel level;
+  level.kind = msh_cohesive(mesh.dimension);
+  level.count = mesh.cohesive.size();
+  add_cohesive_groups(mesh, cells, level);
+  for (std::size_t e = 0; e < level.count; ++e)
+    for (std::size_t k = 0; k < level.kind.corners; ++k)
+      level.reordered.push_back(
+          mesh.cohesive.vertices[level.kind.corners * e + msh_cohesive_node(mesh.dimension, k)]);
+  return level;
+}
+
+/// Tags from 1 on for the entities that have elements, those in `taken` left out.
+void number_entities(MshLevel& level, std::set<std::int32_t>& taken) {
+  const std::size_t count = level.kind.dimension == 0 ? level.count : level.sets.sets.size();
+  std::vector<bool> has_elements(count);
+  for (std::size_t e = 0; e < level.count; ++e) has_elements[level.entity_of(e)] = true;
+  level.entities.assign(count, 0);
+  std::int32_t next = 1;
+  for (std::size_t entity = 0; entity < count; ++entity) {
+    while (!taken.empty() && taken.count(next) > 0) ++next;
+    if (has_elements[entity]) level.entities[entity] = next;
+    ++next;
+  }
+  if (level.kind.dimension > 0)
+    for (const std::int32_t tag : level.entities) taken.insert(tag);
+}
+
+}  // namespace
+
+MshNumbers::MshNumbers(const Mesh& mesh, std::uint64_t greatest_node,
+                       std::uint64_t greatest_element)
+    : nodes(kept_or_counted(mesh.vertex_numbers, greatest_node)) {
+  std::vector<std::uint64_t> all;
+  for (const Elements& of_dimension : mesh.elements)
+    all.insert(all.end(), of_dimension.numbers.begin(), of_dimension.numbers.end());
+  all.insert(all.end(), mesh.cohesive.numbers.begin(), mesh.cohesive.numbers.end());
+  elements = kept_or_counted(std::move(all), greatest_element);
+}
+
+std::vector<MshLevel> msh_levels(const Mesh& mesh) {
+  std::vector<MshLevel> levels;
+  for (int d = 0; d <= 3; ++d) levels.push_back(simplices(mesh, d));
+  if (mesh.cohesive.size() > 0)
+    levels.push_back(cohesive_level(mesh, levels[static_cast<std::size_t>(mesh.dimension)]));
+  std::array<std::set<std::int32_t>, 4> taken;
+  for (const Periodicity& periodic : mesh.periodic)
+    for (const std::int64_t tag : {periodic.entity, periodic.master})
+      taken[static_cast<std::size_t>(periodic.dimension)].insert(static_cast<std::int32_t>(tag));
+  for (MshLevel& level : levels) {
+    level.sets = group_sets(level.count, level.groups);
+    number_entities(level, taken[static_cast<std::size_t>(level.kind.dimension)]);
+  }
+  return levels;
+}
+
+}  // namespace cleave::app
