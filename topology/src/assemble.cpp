@@ -63,8 +63,8 @@ std::vector<Split> split_parts(std::vector<Cell<D>>& cells, const std::vector<Ha
 template <int D>
 Regularized<D> build(CellSoup<D> soup, bool regularize) {
   require_ids_suffice(D, soup.cells.size(), soup.vertex_count);
-  detail::require_signs(soup);
-  if (!detail::unsound_cells(soup).empty()) throw InvalidComplex(hindrances(soup));
+  detail::require_signs<D>(soup);
+  if (!detail::unsound_cells<D>(soup).empty()) throw InvalidComplex(hindrances(soup));
   detail::FacetMatching matching = detail::match_facets<D>(soup.cells, soup.vertex_count);
   if (!matching.crowded.empty() || !matching.duplicates.empty() || !coherent(soup, matching.mates))
     throw InvalidComplex(hindrances(soup));

@@ -14,7 +14,7 @@ namespace cleave::topology {
 namespace {
 
 template <int D>
-void find_orientation_faults(const CellSoup<D>& soup, const std::vector<HalfFacetId>& mates,
+void find_orientation_faults(const CellView<D>& soup, const std::vector<HalfFacetId>& mates,
                              std::vector<Violation>& found) {
   const detail::Orientation orientation = detail::orientation<D>(soup.cells, mates);
   const auto sign = [&](CellId c) { return soup.signs.empty() ? 1 : soup.signs[c.value]; };
@@ -32,7 +32,7 @@ void find_orientation_faults(const CellSoup<D>& soup, const std::vector<HalfFace
 
 /// Vertices whose star falls into several parts, ascending; and them as violations.
 template <int D>
-std::vector<VertexId> find_irregular_vertices(const std::vector<Cell<D>>& cells,
+std::vector<VertexId> find_irregular_vertices(std::span<const Cell<D>> cells,
                                               const std::vector<HalfFacetId>& mates,
                                               std::size_t vertex_count,
                                               std::vector<Violation>& found) {
@@ -57,7 +57,7 @@ std::vector<VertexId> find_irregular_vertices(const std::vector<Cell<D>>& cells,
 }
 
 template <int D>
-void find_orphans(const CellSoup<D>& soup, std::vector<Violation>& found) {
+void find_orphans(const CellView<D>& soup, std::vector<Violation>& found) {
   std::vector<bool> used(soup.vertex_count, false);
   for (const Cell<D>& cell : soup.cells)
     for (const VertexId v : cell)
@@ -69,7 +69,7 @@ void find_orphans(const CellSoup<D>& soup, std::vector<Violation>& found) {
 }  // namespace
 
 template <int D>
-std::vector<Violation> check(const CellSoup<D>& soup, Level level) {
+std::vector<Violation> check(const CellView<D>& soup, Level level) {
   require_ids_suffice(D, soup.cells.size(), soup.vertex_count);
   detail::require_signs(soup);
   std::vector<Violation> found = detail::unsound_cells(soup);
@@ -109,7 +109,7 @@ Level level_reached(int dimension, const std::vector<Violation>& violations) {
 }
 
 template <int D>
-std::variant<std::vector<std::int8_t>, NonOrientable> orient(const CellSoup<D>& soup) {
+std::variant<std::vector<std::int8_t>, NonOrientable> orient(const CellView<D>& soup) {
   require_ids_suffice(D, soup.cells.size(), soup.vertex_count);
   std::vector<Violation> unsound = detail::unsound_cells(soup);
   if (!unsound.empty()) throw InvalidComplex(std::move(unsound));
@@ -125,8 +125,8 @@ std::variant<std::vector<std::int8_t>, NonOrientable> orient(const CellSoup<D>& 
 }
 
 #define CLEAVE_INSTANTIATE(D)                                          \
-  template std::vector<Violation> check<D>(const CellSoup<D>&, Level); \
-  template std::variant<std::vector<std::int8_t>, NonOrientable> orient<D>(const CellSoup<D>&);
+  template std::vector<Violation> check<D>(const CellView<D>&, Level); \
+  template std::variant<std::vector<std::int8_t>, NonOrientable> orient<D>(const CellView<D>&);
 CLEAVE_INSTANTIATE(1)
 CLEAVE_INSTANTIATE(2)
 CLEAVE_INSTANTIATE(3)

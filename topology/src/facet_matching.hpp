@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -21,7 +22,7 @@ struct FacetMatching {
 
 /// The vertices of half-facet `h` without its least one, which the bucket knows, ascending.
 template <int D>
-std::array<VertexId, static_cast<std::size_t>(D) - 1> facet_key(const std::vector<Cell<D>>& cells,
+std::array<VertexId, static_cast<std::size_t>(D) - 1> facet_key(std::span<const Cell<D>> cells,
                                                                 HalfFacetId h) {
   Facet<D> facet{};
   const Cell<D>& cell = cells[cell_of<D>(h).value];
@@ -41,7 +42,7 @@ std::array<VertexId, static_cast<std::size_t>(D) - 1> facet_key(const std::vecto
 
 /// Calls visit(h, the least vertex of h) for all half-facets, ascending.
 template <int D, class Visit>
-void for_each_least_vertex(const std::vector<Cell<D>>& cells, Visit visit) {
+void for_each_least_vertex(std::span<const Cell<D>> cells, Visit visit) {
   std::uint32_t h = 0;
   for (const Cell<D>& cell : cells) {
     VertexId least = std::min(cell[0], cell[1]), second = std::max(cell[0], cell[1]);
@@ -58,7 +59,7 @@ void for_each_least_vertex(const std::vector<Cell<D>>& cells, Visit visit) {
 /// a bucket is searched by the other vertices. Time: linear, and n log n in a large bucket; memory:
 /// 4 bytes per half-facet and per vertex.
 template <int D>
-FacetMatching match_facets(const std::vector<Cell<D>>& cells, std::size_t vertex_count) {
+FacetMatching match_facets(std::span<const Cell<D>> cells, std::size_t vertex_count) {
   const auto half_facets = static_cast<std::uint32_t>(cells.size() * (D + 1));
   std::vector<std::uint32_t> bucket_end(vertex_count + 1, 0);  // start until filled, then end
   for_each_least_vertex<D>(cells, [&](HalfFacetId, VertexId v) { ++bucket_end[v.value + 1]; });
@@ -150,7 +151,7 @@ FacetMatching match_facets(const std::vector<Cell<D>>& cells, std::size_t vertex
 /// Whether mates h and m induce opposite orientations on their facet when both their cells have the
 /// orientation of their tuples.
 template <int D>
-bool opposite_as_written(const std::vector<Cell<D>>& cells, HalfFacetId h, HalfFacetId m) {
+bool opposite_as_written(std::span<const Cell<D>> cells, HalfFacetId h, HalfFacetId m) {
   Cell<D> one = cells[cell_of<D>(h).value];
   const Cell<D>& other = cells[cell_of<D>(m).value];
   const auto i = static_cast<std::size_t>(local_index<D>(h));

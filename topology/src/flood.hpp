@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "cleave/topology/ids.hpp"
@@ -9,7 +10,7 @@ namespace cleave::topology::detail {
 
 /// The corner of `cell` at `vertex`, if it has one.
 template <int D>
-std::optional<CornerId> corner_at(const std::vector<Cell<D>>& cells, CellId cell, VertexId vertex) {
+std::optional<CornerId> corner_at(std::span<const Cell<D>> cells, CellId cell, VertexId vertex) {
   for (int i = 0; i <= D; ++i)
     if (cells[cell.value][static_cast<std::size_t>(i)] == vertex) return half_facet<D>(cell, i);
   return std::nullopt;
@@ -19,7 +20,7 @@ std::optional<CornerId> corner_at(const std::vector<Cell<D>>& cells, CellId cell
 /// the facets that contain the vertex, as far as `enter(corner)` says that a corner is new (and
 /// marks it). The corners reached are added to `part`, `start` first.
 template <int D, class Enter>
-void flood(const std::vector<Cell<D>>& cells, const std::vector<HalfFacetId>& mates, CornerId start,
+void flood(std::span<const Cell<D>> cells, const std::vector<HalfFacetId>& mates, CornerId start,
            VertexId vertex, std::vector<CornerId>& part, Enter enter) {
   std::size_t next = part.size();
   part.push_back(start);

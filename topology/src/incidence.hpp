@@ -21,7 +21,7 @@ struct Incidence {
 
 /// All different k-simplices of `cells` (each ascending), sorted.
 template <int K, int D>
-std::vector<std::array<VertexId, K + 1>> distinct_simplices(const std::vector<Cell<D>>& cells) {
+std::vector<std::array<VertexId, K + 1>> distinct_simplices(std::span<const Cell<D>> cells) {
   std::vector<std::array<VertexId, K + 1>> simplices;
   simplices.reserve(cells.size() * face_count(D, K));
   for (const Cell<D>& cell : cells)
@@ -57,7 +57,7 @@ std::vector<std::uint32_t> faces_of(const std::vector<std::array<VertexId, K + 1
 /// Adds the dimensions K .. D to `found`; `lower` are the simplices of dimension K-1. False: there
 /// are more than `left` simplices.
 template <int K, int D>
-bool add_dimensions(const std::vector<Cell<D>>& cells, std::vector<std::array<VertexId, K>> lower,
+bool add_dimensions(std::span<const Cell<D>> cells, std::vector<std::array<VertexId, K>> lower,
                     std::size_t left, Incidence& found) {
   auto simplices = distinct_simplices<K, D>(cells);
   if (simplices.size() > left) return false;

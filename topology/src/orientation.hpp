@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -45,7 +46,7 @@ NonOrientable closed_loop(const std::vector<HalfFacetId>& mates,
 
 /// Breadth first over each piece from its least cell. Time: linear.
 template <int D>
-Orientation orientation(const std::vector<Cell<D>>& cells, const std::vector<HalfFacetId>& mates) {
+Orientation orientation(std::span<const Cell<D>> cells, const std::vector<HalfFacetId>& mates) {
   Orientation result;
   result.signs.assign(cells.size(), 0);
   result.piece_of_cell.assign(cells.size(), 0);

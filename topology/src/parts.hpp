@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "flood.hpp"
@@ -16,7 +17,7 @@ struct VertexPart {
 /// All parts of all vertex stars, ascending by least corner. Time: linear; memory: 1 bit per
 /// corner.
 template <int D>
-std::vector<VertexPart> vertex_parts(const std::vector<Cell<D>>& cells,
+std::vector<VertexPart> vertex_parts(std::span<const Cell<D>> cells,
                                      const std::vector<HalfFacetId>& mates) {
   std::vector<VertexPart> parts;
   std::vector<bool> seen(mates.size(), false);

@@ -10,7 +10,7 @@ namespace cleave::topology::detail {
 
 /// Throws std::invalid_argument unless there are no signs, or one per cell, each +1 or -1.
 template <int D>
-void require_signs(const CellSoup<D>& soup) {
+void require_signs(const CellView<D>& soup) {
   if (soup.signs.empty()) return;
   if (soup.signs.size() != soup.cells.size())
     throw std::invalid_argument("there are " + std::to_string(soup.signs.size()) + " signs for " +
@@ -23,7 +23,7 @@ void require_signs(const CellSoup<D>& soup) {
 
 /// Degenerate cells and vertices out of range, in order of cells.
 template <int D>
-std::vector<Violation> unsound_cells(const CellSoup<D>& soup) {
+std::vector<Violation> unsound_cells(const CellView<D>& soup) {
   std::vector<Violation> found;
   for (std::uint32_t c = 0; c < soup.cells.size(); ++c) {
     const Cell<D>& cell = soup.cells[c];

@@ -3,6 +3,7 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct CellFace {
 
 /// The local vertices of `other` that the face has; its cells share a facet that contains it.
 template <int D>
-std::uint32_t mask_in(const std::vector<Cell<D>>& cells, CellFace face, CellId other) {
+std::uint32_t mask_in(std::span<const Cell<D>> cells, CellFace face, CellId other) {
   std::uint32_t mask = 0;
   for (std::size_t i = 0; i <= static_cast<std::size_t>(D); ++i) {
     if ((face.mask >> i & 1u) == 0) continue;
@@ -35,7 +36,7 @@ std::uint32_t mask_in(const std::vector<Cell<D>>& cells, CellFace face, CellId o
 /// dimension, then lexicographically. Returns the vertices of such simplices, with repetitions.
 /// Time: linear, and sorting one entry per part; memory: 2^(D+1) bits per cell.
 template <int D>
-std::vector<VertexId> find_pinched_simplices(const std::vector<Cell<D>>& cells,
+std::vector<VertexId> find_pinched_simplices(std::span<const Cell<D>> cells,
                                              const std::vector<HalfFacetId>& mates,
                                              std::vector<Violation>& found) {
   std::vector<VertexId> vertices;
@@ -99,8 +100,7 @@ struct LinkCount {
   int boundary_components;
 };
 
-inline LinkCount count_link(const std::vector<Cell<3>>& cells,
-                            const std::vector<HalfFacetId>& mates,
+inline LinkCount count_link(std::span<const Cell<3>> cells, const std::vector<HalfFacetId>& mates,
                             const std::vector<CornerId>& star, VertexId vertex) {
   using Edge = std::pair<VertexId, VertexId>;
   std::vector<VertexId> neighbours;
@@ -147,7 +147,7 @@ inline LinkCount count_link(const std::vector<Cell<3>>& cells,
 /// sphere (Euler characteristic 2, closed) nor a disk (1, one rim). In dimension 1 and 2 a vertex
 /// that is cut-regular has such a link always; in dimension 4 this is not decided.
 template <int D>
-void find_bad_links(const std::vector<Cell<D>>& cells, const std::vector<HalfFacetId>& mates,
+void find_bad_links(std::span<const Cell<D>> cells, const std::vector<HalfFacetId>& mates,
                     std::size_t vertex_count, const std::vector<VertexId>& known_bad,
                     std::vector<Violation>& found) {
   if constexpr (D == 3) {

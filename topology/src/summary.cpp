@@ -22,7 +22,7 @@ struct FaceOf {
 
 /// All k-faces of `simplices` (each ascending), sorted; one that a simplex has twice is named once.
 template <int K, int D>
-std::vector<FaceOf<K + 1>> sorted_faces(const std::vector<Cell<D>>& simplices) {
+std::vector<FaceOf<K + 1>> sorted_faces(std::span<const Cell<D>> simplices) {
   std::vector<FaceOf<K + 1>> faces;
   faces.reserve(simplices.size() * detail::face_count(D, K));
   for (std::uint32_t s = 0; s < simplices.size(); ++s)
@@ -55,7 +55,7 @@ std::vector<std::array<VertexId, Size>> in_one_only(const std::vector<FaceOf<Siz
 }
 
 template <int D>
-std::int64_t euler_characteristic(const std::vector<Cell<D>>& cells) {
+std::int64_t euler_characteristic(std::span<const Cell<D>> cells) {
   return [&]<int... K>(std::integer_sequence<int, K...>) {
     return ((static_cast<std::int64_t>(detail::distinct_simplices<K, D>(cells).size()) *
              (K % 2 == 0 ? 1 : -1)) +
@@ -67,9 +67,9 @@ std::int64_t euler_characteristic(const std::vector<Cell<D>>& cells) {
 }  // namespace
 
 template <int D>
-Summary summarize(const CellSoup<D>& soup) {
+Summary summarize(const CellView<D>& soup) {
   require_ids_suffice(D, soup.cells.size(), soup.vertex_count);
-  std::vector<Cell<D>> cells = soup.cells;
+  std::vector<Cell<D>> cells(soup.cells.begin(), soup.cells.end());
   for (Cell<D>& cell : cells) std::sort(cell.begin(), cell.end());
 
   Summary summary;
@@ -84,9 +84,9 @@ Summary summarize(const CellSoup<D>& soup) {
   return summary;
 }
 
-template Summary summarize(const CellSoup<1>&);
-template Summary summarize(const CellSoup<2>&);
-template Summary summarize(const CellSoup<3>&);
-template Summary summarize(const CellSoup<4>&);
+template Summary summarize(const CellView<1>&);
+template Summary summarize(const CellView<2>&);
+template Summary summarize(const CellView<3>&);
+template Summary summarize(const CellView<4>&);
 
 }  // namespace cleave::topology

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "cleave/topology/ids.hpp"
@@ -19,6 +20,29 @@ struct CellSoup {
   /// Orientation of each cell relative to its tuple: +1 as written, -1 reversed. Empty: all +1.
   /// `orient` computes signs that make the cells coherent, so tuples never need to be reordered.
   std::vector<std::int8_t> signs;
+};
+
+/// A soup that somebody else holds, such as the arrays of a caller: nothing is copied. Valid as
+/// long as what it shows.
+template <int D>
+class CellView {
+ public:
+  CellView(const CellSoup<D>& soup)  // NOLINT(google-explicit-constructor): a soup shows itself
+      : cells(soup.cells), vertex_count(soup.vertex_count), signs(soup.signs) {}
+
+  /// Of arrays: as the members of CellSoup.
+  static CellView of(std::span<const Cell<D>> cells, std::size_t vertex_count,
+                     std::span<const std::int8_t> signs = {}) {
+    CellView view{CellSoup<D>{}};
+    view.cells = cells;
+    view.vertex_count = vertex_count;
+    view.signs = signs;
+    return view;
+  }
+
+  std::span<const Cell<D>> cells;
+  std::size_t vertex_count;
+  std::span<const std::int8_t> signs;
 };
 
 /// Throws std::length_error if `cells` cells of dimension `dimension`, or `vertices` vertices, do

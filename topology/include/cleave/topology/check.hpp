@@ -15,7 +15,11 @@ namespace cleave::topology {
 /// std::invalid_argument (signs that are not one per cell, each +1 or -1). Time: linear up to
 /// cut_regular; edge_regular and manifold sort the edges around each vertex.
 template <int D>
-std::vector<Violation> check(const CellSoup<D>& soup, Level level = Level::manifold);
+std::vector<Violation> check(const CellView<D>& soup, Level level = Level::manifold);
+template <int D>
+std::vector<Violation> check(const CellSoup<D>& soup, Level level = Level::manifold) {
+  return check(CellView<D>(soup), level);
+}
 
 /// The highest level the violations leave standing; `violations` from check(soup, Level::manifold).
 /// For D = 4 the manifold level is not decided, and edge_regular is the highest answer.
@@ -25,6 +29,10 @@ Level level_reached(int dimension, const std::vector<Violation>& violations);
 /// first cell of each piece gets +1. If there are none: a loop of cells that anyone can re-check.
 /// Requires sound cells and no facet in three cells; throws InvalidComplex otherwise. Time: linear.
 template <int D>
-std::variant<std::vector<std::int8_t>, NonOrientable> orient(const CellSoup<D>& soup);
+std::variant<std::vector<std::int8_t>, NonOrientable> orient(const CellView<D>& soup);
+template <int D>
+std::variant<std::vector<std::int8_t>, NonOrientable> orient(const CellSoup<D>& soup) {
+  return orient(CellView<D>(soup));
+}
 
 }  // namespace cleave::topology

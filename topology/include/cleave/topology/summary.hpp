@@ -21,6 +21,10 @@ struct Summary {
 /// vertices that no cell uses do not count. Throws std::length_error (too many cells). Time: O(n
 /// log n) in the cells.
 template <int D>
-Summary summarize(const CellSoup<D>& soup);
+Summary summarize(const CellView<D>& soup);
+template <int D>
+Summary summarize(const CellSoup<D>& soup) {
+  return summarize(CellView<D>(soup));
+}
 
 }  // namespace cleave::topology
