@@ -33,7 +33,7 @@ struct ComplexAccess {
   static void resize_vertices(Complex<D>& k, std::size_t count) {
     k.a_corner_of_copy_.resize(count - k.a_corner_.size(), CornerId{kNone});
   }
-  static std::span<const Cell<D>> cells(const Complex<D>& k) { return k.cells_; }
+  static const std::vector<Cell<D>>& cells(const Complex<D>& k) { return k.cells_; }
   static const std::vector<HalfFacetId>& mates(const Complex<D>& k) { return k.mates_; }
 };
 
