@@ -8,6 +8,7 @@
 #include "cleave/topology/check.hpp"
 #include "cleave/topology/locate.hpp"
 #include "cleave/topology/pieces.hpp"
+#include "edge_nodes.hpp"
 #include "error.hpp"
 #include "file_words.hpp"
 
@@ -31,15 +32,34 @@ CellSoup<D> soup_of(const Mesh& mesh) {
 
 namespace {
 
-// The first violations in words; `check` shows all of them.
-InputError refusal(const Mesh& mesh, const std::vector<topology::Violation>& violations) {
+// The first of what is wrong in words; `check` shows all of it.
+InputError refusal(const Mesh& mesh, const std::vector<std::string>& wrong) {
   constexpr std::size_t kShown = 3;
   std::string text = mesh.source + ": this mesh cannot be used:";
-  for (std::size_t i = 0; i < std::min(kShown, violations.size()); ++i)
-    text += "\n  " + describe_in_file(violations[i], mesh);
-  if (violations.size() > kShown)
-    text += fmt::format("\n  and {} more", violations.size() - kShown);
+  for (std::size_t i = 0; i < std::min(kShown, wrong.size()); ++i) text += "\n  " + wrong[i];
+  if (wrong.size() > kShown) text += fmt::format("\n  and {} more", wrong.size() - kShown);
   return InputError(text + "\n`cleave check` lists every violation; mend the file and try again");
+}
+
+InputError refusal(const Mesh& mesh, const std::vector<topology::Violation>& violations) {
+  std::vector<std::string> wrong;
+  for (const auto& violation : violations) wrong.push_back(describe_in_file(violation, mesh));
+  return refusal(mesh, wrong);
+}
+
+void require_sound_nodes(const Mesh& mesh) {
+  std::vector<std::string> wrong;
+  for (Finding& finding : check_edge_nodes(mesh)) wrong.push_back(std::move(finding.message));
+  if (!wrong.empty()) throw refusal(mesh, wrong);
+}
+
+void require_no_cohesive(const Mesh& mesh) {
+  if (mesh.cohesive.size() == 0) return;
+  throw InputError(fmt::format(
+      "{}: holds {} (the first is {}), which join the two sides of a cut made before; cut the mesh "
+      "it was made from along all facets at once",
+      mesh.source, counted(mesh.cohesive.size(), "cohesive element"),
+      mesh.cohesive.numbers.front()));
 }
 
 void require_finite(const Mesh& mesh) {
@@ -88,6 +108,8 @@ bool turn_over(const Mesh& mesh, const topology::Complex<D>& k, std::vector<std:
 template <int D>
 Body<D> make_body(const Mesh& mesh) {
   require_finite(mesh);
+  require_sound_nodes(mesh);
+  require_no_cohesive(mesh);
   CellSoup<D> soup = soup_of<D>(mesh);
   try {
     auto oriented = topology::orient(soup);

@@ -42,7 +42,9 @@ struct Body {
 
 /// The body of `mesh` (mesh.dimension == D), coherently oriented and regularised. Throws
 /// InputError, which names the cells by the file's numbers, if the mesh is no orientable
-/// pseudo-manifold of distinct sound cells, or has coordinates that are not finite. Time: linear.
+/// pseudo-manifold of distinct sound cells, has coordinates that are not finite, nodes of second
+/// order that check_edge_nodes objects to, or cohesive elements, which belong to a cut made before.
+/// Time: linear.
 template <int D>
 Body<D> make_body(const Mesh& mesh);
 

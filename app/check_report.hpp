@@ -13,8 +13,10 @@ struct CheckReport {
   std::string source;
   int dimension = 0;
   std::size_t cells = 0, vertices = 0;
-  topology::Level level{};        // the highest one reached
-  std::vector<Finding> findings;  // topology by kind, then geometry
+  std::size_t edge_nodes = 0, cohesive = 0;  // nodes of second order, which are no vertices;
+                                             // cohesive elements, which are no cells
+  topology::Level level{};                   // the highest one reached
+  std::vector<Finding> findings;             // topology by kind, then geometry
   topology::Summary topology;
 
   /// How many findings are errors.

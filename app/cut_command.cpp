@@ -84,6 +84,12 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
   auto* dry_run = cut->add_flag("--dry-run", options->dry_run, "Do everything but write OUT");
   cut->add_flag("--explain", options->explain,
                 "Say why facets stay shut, and by which vertex facets opened");
+  cut->add_flag("--cohesive", options->cohesive,
+                "Put cohesive elements of no thickness between the two sides of what opens");
+  cut->add_option("--offset", options->offset,
+                  "Move the two sides apart by this distance, to look at the cut")
+      ->check(CLI::NonNegativeNumber)
+      ->option_text("DISTANCE");
   cut->add_flag("--require-open", options->require_open, "Exit with 1 if a facet stays shut");
   cut->add_flag("--strict", options->strict,
                 "Refuse a mesh that is not cut-regular instead of regularising it");

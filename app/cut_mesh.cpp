@@ -7,9 +7,11 @@
 
 #include "cleave/cutting/stroke.hpp"
 #include "cleave/topology/certify.hpp"
+#include "cohesive.hpp"
 #include "cut_request.hpp"
 #include "error.hpp"
 #include "file_words.hpp"
+#include "offset.hpp"
 #include "reproducer.hpp"
 
 namespace cleave::app {
@@ -130,6 +132,9 @@ CutResult cut_cells(const Mesh& mesh, const CutOptions& options, Progress& progr
     progress.stage("naming what opened");
     output = cut_output(body, incision, asked,
                         numbering_of(options.out.empty() ? options.mesh : options.out));
+    if constexpr (D >= 2)
+      if (options.cohesive) add_cohesive(body, output);
+    if (options.offset > 0) move_sides(body, incision, options.offset, output);
     if (options.verify == topology::Verify::all) certify_output(body, incision, output.mesh);
   } catch (const topology::InvariantBroken& e) {
     const auto path = (options.out.empty() ? "cleave" : options.out) + ".reproducer.json";
@@ -157,6 +162,7 @@ CutResult cut_cells(const Mesh& mesh, const CutOptions& options, Progress& progr
 }  // namespace
 
 CutResult cut_mesh(const Mesh& mesh, const CutOptions& options, Progress& progress) {
+  if (options.cohesive) require_cohesive(mesh);
   if (mesh.dimension == 1) return cut_cells<1>(mesh, options, progress);
   if (mesh.dimension == 2) return cut_cells<2>(mesh, options, progress);
   return cut_cells<3>(mesh, options, progress);

@@ -17,6 +17,8 @@ struct CutOptions {
   bool all = false;
   cutting::SelectOptions select;
   topology::Verify verify = topology::Verify::touched;
+  bool cohesive = false;
+  double offset = 0;
   bool dry_run = false, explain = false, require_open = false, strict = false, quiet = false;
   std::string json;
 };

@@ -11,6 +11,7 @@
 #include "file_words.hpp"
 #include "mesh_fields.hpp"
 #include "mesh_file.hpp"
+#include "periodic_pairs.hpp"
 
 namespace cleave::app {
 
@@ -37,33 +38,29 @@ std::vector<VertexId> used_in_order(const Incision<D>& incision) {
   return order;
 }
 
-// The numbers of the output's vertices: those of the file and, for copies, the ones after the
-// largest; or by place.
-template <int D>
-void number_vertices(const Body<D>& body, Numbering numbering, CutOutput& output) {
-  const auto& file = body.mesh->vertex_numbers;
+// The numbers of the output's points: those of the file and, for copies, the ones after the
+// largest; or by place. The first `originals` points are no copies.
+void number_points(const Mesh& mesh, Numbering numbering, std::size_t originals,
+                   CutOutput& output) {
+  const auto& file = mesh.vertex_numbers;
   const bool zero_taken = std::find(file.begin(), file.end(), 0) != file.end();
   if (numbering == Numbering::kept && zero_taken) numbering = Numbering::from_one;
   const std::uint64_t largest = file.empty() ? 0 : *std::max_element(file.begin(), file.end());
   std::uint64_t next = largest;
-  for (std::uint64_t i = 0; i < output.vertex_at.size(); ++i) {
-    const std::uint32_t vertex = output.vertex_at[i].value;
+  for (std::uint64_t i = 0; i < output.origin.size(); ++i) {
     std::uint64_t& number = output.mesh.vertex_numbers.emplace_back(i);
     if (numbering == Numbering::from_one) number = i + 1;
     if (numbering != Numbering::kept) continue;
-    if (vertex >= file.size() && next == std::numeric_limits<std::uint64_t>::max())
-      throw InputError(body.mesh->source +
+    if (i >= originals && next == std::numeric_limits<std::uint64_t>::max())
+      throw InputError(mesh.source +
                        ": its largest vertex number leaves none for copies; "
                        "renumber the vertices");
-    number = vertex < file.size() ? file[vertex] : ++next;
+    number = i < originals ? file[output.origin[i]] : ++next;
   }
 }
 
-void warn_of_dropped(const Mesh& mesh, const std::vector<VertexId>& used, Numbering numbering,
+void warn_of_dropped(const Mesh& mesh, const std::vector<bool>& in_use, Numbering numbering,
                      CutOutput& output) {
-  std::vector<bool> in_use(mesh.points.size());
-  for (const VertexId v : used)
-    if (v.value < in_use.size()) in_use[v.value] = true;
   const auto dropped = static_cast<std::size_t>(std::count(in_use.begin(), in_use.end(), false));
   if (dropped == 0) return;
   const auto first =
@@ -76,25 +73,68 @@ void warn_of_dropped(const Mesh& mesh, const std::vector<VertexId>& used, Number
                                      "numbers them by place"));
 }
 
+// Lists the points of the output: the file's vertices and nodes in use, then the copies of
+// vertices, then, from the place returned on, there is room for copies of nodes. Fills vertex_at
+// and origin, and the places of vertices and of nodes.
+template <int D>
+std::uint32_t list_points(const Body<D>& body, const Incision<D>& incision, Numbering numbering,
+                          Renaming<D>& renaming, std::vector<std::uint32_t>& place_of_node,
+                          std::size_t& originals, CutOutput& output) {
+  const Mesh& mesh = *body.mesh;
+  const auto used = used_in_order(incision);
+  std::vector<bool> in_use(mesh.points.size());
+  for (const VertexId v : used)
+    if (v.value < in_use.size()) in_use[v.value] = true;
+  const std::vector<bool> node = nodes_in_use(mesh, in_use);
+
+  const auto add = [&](VertexId vertex, std::uint32_t origin) {
+    output.vertex_at.push_back(vertex);
+    output.origin.push_back(origin);
+  };
+  place_of_node.assign(mesh.points.size(), kNoPlace);
+  for (std::uint32_t place = 0; place < mesh.points.size(); ++place) {
+    if (!in_use[place] && !node[place]) continue;
+    if (node[place]) place_of_node[place] = static_cast<std::uint32_t>(output.origin.size());
+    add(in_use[place] ? VertexId{place} : kNoVertex, place);
+    in_use[place] = true;
+  }
+  originals = output.origin.size();
+  for (const VertexId v : used)
+    if (v.value >= mesh.points.size()) add(v, body.place(incision.original(v)));
+  for (std::uint32_t place = 0; place < output.vertex_at.size(); ++place)
+    if (output.vertex_at[place] != kNoVertex)
+      renaming.place_of[output.vertex_at[place].value] = place;
+  warn_of_dropped(mesh, in_use, numbering, output);
+  return static_cast<std::uint32_t>(output.origin.size());
+}
+
+// The cells on the places of the output.
+template <int D>
+void carry_cells(const Renaming<D>& renaming, const NodeImages<D>& nodes, CutOutput& output) {
+  Elements& cells = output.mesh.elements[static_cast<std::size_t>(D)];
+  cells = renaming.body->mesh->cells();
+  auto vertex = cells.vertices.begin();
+  for (const auto& cell : renaming.after->cells())
+    for (const VertexId v : cell) *vertex++ = renaming.place_of[v.value];
+  if (!cells.second_order()) return;
+  auto node = cells.midside.begin();
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const std::uint32_t* now = &cells.vertices[static_cast<std::size_t>(D + 1) * c];
+    for (int i = 0; i <= D; ++i)
+      for (int j = i + 1; j <= D; ++j, ++node) *node = nodes.on_edge(*node, now[i], now[j]);
+  }
+}
+
 template <int D>
 void carry_fields(const Body<D>& body, const Incision<D>& incision, Numbering numbering,
                   CutOutput& output) {
   const Mesh& mesh = *body.mesh;
-  Field parent{"parent", 1, {}, true};
-  for (const Field& field : mesh.point_fields) {
-    Field& carried = output.mesh.point_fields.emplace_back(
-        Field{field.name, field.components, {}, field.integer});
-    const auto width = static_cast<std::size_t>(field.components);
-    for (const VertexId v : output.vertex_at) {
-      const auto from = field.values.begin() +
-                        static_cast<std::ptrdiff_t>(width * body.place(incision.original(v)));
-      carried.values.insert(carried.values.end(), from, from + field.components);
-    }
-  }
+  output.mesh.point_fields = take(mesh.point_fields, output.origin, kNoPlace);
   output.mesh.cell_fields = mesh.cell_fields;
   if (numbering != Numbering::from_zero) return;
-  for (const VertexId v : output.vertex_at)
-    parent.values.push_back(static_cast<double>(body.number(incision.original(v))));
+  Field parent{"parent", 1, {}, true};
+  for (const std::uint32_t place : output.origin)
+    parent.values.push_back(static_cast<double>(mesh.vertex_numbers[place]));
   set_field(output.mesh.point_fields, std::move(parent));
   const auto pieces = topology::pieces(incision.complex());
   set_field(output.mesh.cell_fields,
@@ -113,29 +153,34 @@ CutOutput cut_output(const Body<D>& body, const Incision<D>& incision,
   output.mesh.two_dimensional_points = mesh.two_dimensional_points;
   output.mesh.msh_version = mesh.msh_version;
   output.mesh.msh_binary = mesh.msh_binary;
-  output.vertex_at = used_in_order(incision);
-  warn_of_dropped(mesh, output.vertex_at, numbering, output);
-  number_vertices(body, numbering, output);
 
   Renaming<D> renaming{&body, &incision.complex(),
                        std::vector<std::uint32_t>(incision.complex().vertex_count(), kNoPlace)};
+  std::vector<std::uint32_t> place_of_node;
+  std::size_t originals = 0;
+  const std::uint32_t first_node_copy =
+      list_points(body, incision, numbering, renaming, place_of_node, originals, output);
+  std::array<Images, 3> images;
+  for (int k = 0; k < D; ++k)
+    images[static_cast<std::size_t>(k)] =
+        images_of(renaming, k, mesh.elements[static_cast<std::size_t>(k)]);
+  NodeImages<D> nodes(renaming, images, std::move(place_of_node), first_node_copy);
+  for (const std::uint32_t node : nodes.parents()) {
+    output.vertex_at.push_back(kNoVertex);
+    output.origin.push_back(node);
+  }
+  number_points(mesh, numbering, originals, output);
   output.number_of.assign(renaming.place_of.size(), 0);
-  for (std::uint32_t place = 0; place < output.vertex_at.size(); ++place) {
-    const VertexId v = output.vertex_at[place];
-    renaming.place_of[v.value] = place;
-    output.number_of[v.value] = output.mesh.vertex_numbers[place];
-    output.origin.push_back(body.place(incision.original(v)));
-    output.mesh.points.push_back(mesh.points[output.origin.back()]);
+  for (std::uint32_t place = 0; place < output.origin.size(); ++place) {
+    output.mesh.points.push_back(mesh.points[output.origin[place]]);
+    if (output.vertex_at[place] != kNoVertex)
+      output.number_of[output.vertex_at[place].value] = output.mesh.vertex_numbers[place];
   }
 
-  Elements& cells = output.mesh.elements[static_cast<std::size_t>(D)];
-  cells = mesh.cells();
-  auto vertex = cells.vertices.begin();
-  for (const auto& cell : incision.complex().cells())
-    for (const VertexId v : cell) *vertex++ = renaming.place_of[v.value];
-
-  carry_elements(renaming, incision, asked, output);
+  carry_cells(renaming, nodes, output);
+  carry_elements(renaming, {std::move(images), std::move(nodes)}, incision, asked, output);
   carry_fields(body, incision, numbering, output);
+  carry_periodic(body, output);
   return output;
 }
 

@@ -19,6 +19,8 @@ struct NamedFacets {
                                  // elements; none: facets from elsewhere
 };
 
+constexpr topology::VertexId kNoVertex{UINT32_MAX};
+
 /// How a file numbers vertices: by place from 0 or 1, or with numbers of its own.
 enum class Numbering { from_zero, from_one, kept };
 
@@ -32,13 +34,29 @@ struct OneSidedSheet {
       loop;  // facets (lesser half-facets), each next to the one before
 };
 
+/// A facet asked for that opened: the half-facet of its minus side, and the name it has its groups
+/// by (of several, the first in the file).
+struct SidedFacet {
+  topology::HalfFacetId minus;
+  std::string name;
+};
+
+/// A point that was moved away from where the body has it.
+struct MovedPoint {
+  std::uint32_t place;  // in the output's points
+  std::array<double, 3> before;
+};
+
 struct CutOutput {
   Mesh mesh;
-  std::vector<topology::VertexId> vertex_at;  // of incision.complex(), for each of mesh.points
+  std::vector<topology::VertexId> vertex_at;  // of incision.complex(), for each of mesh.points;
+                                              // kNoVertex: the point is a node of second order
   std::vector<std::uint32_t> origin;          // place in body.mesh of each of mesh.points; where a
                                       // point has several copies, the first one keeps its number
   std::vector<std::uint64_t> number_of;  // in `mesh`, of each vertex of incision.complex(); 0 if
                                          // it is not in use
+  std::vector<SidedFacet> sides;         // ascending by facet
+  std::vector<MovedPoint> moved;         // ascending; cut_output moves none
   std::vector<OneSidedSheet> one_sided;
   std::vector<std::string> warnings;  // what was dropped or renumbered, one sentence each
 };
@@ -46,13 +64,17 @@ struct CutOutput {
 /// The mesh of `incision`, made from `body`, as a file with this numbering holds it.
 /// - Cells keep their order, tuples, numbers and groups. Vertices keep their numbers (by place
 ///   where the format numbers so); copies come last, in canonical order, numbered after the
-///   largest. Vertices that no cell uses are dropped.
+///   largest; copies of nodes of second order (see node_images.hpp) after those of vertices.
+///   Vertices that no cell uses are dropped.
 /// - Edges, vertices and facets of groups that were not asked for are there once for each copy.
 /// - A facet asked for that opened is there twice, in groups NAME_minus and NAME_plus; one that is
 ///   shut in NAME_shut. These replace the group NAME, which keeps only facets on the old boundary.
 ///   Which side is minus: see sides.hpp.
-/// - Point fields follow `parent`. Point data `parent` (number in body.mesh) and cell data `piece`
-///   (from 0, by least cell) are added for Numbering::from_zero.
+/// - Point fields follow `parent`, facet fields the facets' elements (both images of an opened
+///   facet keep its values), cell fields stay. Periodic pairs: see periodic_pairs.hpp. Point data
+///   `parent` (number in body.mesh) and cell data `piece` (from 0, by least cell) are added for
+///   Numbering::from_zero.
+/// Throws InputError where periodic pairs cannot follow the cut.
 /// The result is a function of the body and of what was asked for, not of the order of requests.
 /// Time: linear in the mesh.
 template <int D>

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cleave/topology/check.hpp"
 #include "cleave/topology/explain.hpp"
 #include "cleave/topology/pieces.hpp"
@@ -30,11 +32,22 @@ template <int D>
 void list_copies(const Body<D>& body, const Incision<D>& incision, const CutOutput& output,
                  CutReport& report) {
   for (const VertexId v : output.vertex_at) {
+    if (v == kNoVertex) continue;
     const CutReport::Copy copy{output.number_of[v.value], body.number(incision.original(v))};
     if (v.value < body.mesh->points.size()) continue;
     (v.value < incision.original_vertex_count() ? report.regularized : report.splits)
         .push_back(copy);
   }
+}
+
+// How many nodes of second order copy another one.
+std::size_t copied_nodes(const CutOutput& output) {
+  std::vector<std::uint32_t> origins;
+  for (std::size_t i = 0; i < output.origin.size(); ++i)
+    if (output.vertex_at[i] == kNoVertex) origins.push_back(output.origin[i]);
+  std::sort(origins.begin(), origins.end());
+  const auto distinct = std::unique(origins.begin(), origins.end()) - origins.begin();
+  return origins.size() - static_cast<std::size_t>(distinct);
 }
 
 }  // namespace
@@ -46,7 +59,11 @@ CutReport report_on(const Body<D>& body, const Incision<D>& incision, const CutO
   const auto& after = incision.complex();
   CutReport report;
   report.cells = after.cell_count();
-  report.vertices_after = output.vertex_at.size();
+  report.edge_nodes_after = static_cast<std::size_t>(
+      std::count(output.vertex_at.begin(), output.vertex_at.end(), kNoVertex));
+  report.vertices_after = output.vertex_at.size() - report.edge_nodes_after;
+  report.edge_nodes_before = report.edge_nodes_after - copied_nodes(output);
+  report.cohesive = output.mesh.cohesive.size();
   report.opened = incision.opened().size();
   report.shut = incision.shut().size();
   report.pieces_before = topology::pieces(body.complex).count;
@@ -80,11 +97,16 @@ CutReport report_on(const Body<D>& body, const Incision<D>& incision, const CutO
 
 std::string text_of(const CutReport& report, const std::string& source, bool explain) {
   std::string text = fmt::format(
-      "{}: {}: {} opened, {} shut{}; pieces {} -> {}; vertices {} -> {}; cells {}\n", source,
+      "{}: {}: {} opened, {} shut{}; pieces {} -> {}; vertices {} -> {}; {}cells {}{}\n", source,
       counted(report.requested, "facet"), report.opened, report.shut,
       report.not_interior == 0 ? "" : fmt::format(", {} on the boundary", report.not_interior),
       report.pieces_before, report.pieces_after, report.vertices_before, report.vertices_after,
-      report.cells);
+      report.edge_nodes_before == 0
+          ? ""
+          : fmt::format("nodes on edges {} -> {}; ", report.edge_nodes_before,
+                        report.edge_nodes_after),
+      report.cells,
+      report.cohesive == 0 ? "" : fmt::format("; cohesive elements {}", report.cohesive));
   if (report.shut > 0 && !explain)
     text += fmt::format("{}: --explain says why facets stay shut\n", source);
   if (!explain) return text;

@@ -32,6 +32,8 @@ struct CutReport {
   };
 
   std::size_t cells = 0, vertices_before = 0, vertices_after = 0;  // vertices that cells use
+  std::size_t edge_nodes_before = 0, edge_nodes_after = 0;         // of second order, no vertices
+  std::size_t cohesive = 0;  // elements put between opened sides
   std::size_t requested = 0, opened = 0, shut = 0, not_interior = 0;
   std::size_t pieces_before = 0, pieces_after = 0;
   bool cut_regular = true;  // the result

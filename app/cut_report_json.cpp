@@ -49,6 +49,11 @@ std::string json_of(const CutReport& report) {
     for (const auto& opened : *report.opened_facets)
       json["opened_facets"].push_back({{"facet", opened.facet}, {"by", opened.by}});
   }
+  if (report.edge_nodes_before > 0) {
+    json["mesh"]["edge_nodes_before"] = report.edge_nodes_before;
+    json["mesh"]["edge_nodes_after"] = report.edge_nodes_after;
+  }
+  if (report.cohesive > 0) json["mesh"]["cohesive_elements"] = report.cohesive;
   constexpr auto kReplace = Json::error_handler_t::replace;  // names need not be UTF-8
   return json.dump(1, ' ', false, kReplace) + "\n";
 }

@@ -2,44 +2,64 @@
 
 #include <algorithm>
 
-namespace cleave::app {
+#include "edge_nodes.hpp"
 
-ElementBuilder::ElementBuilder(const Elements& before, int dimension)
+namespace cleave::app {
+namespace {
+
+void append(std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& from,
+            std::size_t element, std::size_t width) {
+  const auto begin = from.begin() + static_cast<std::ptrdiff_t>(width * element);
+  to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(width));
+}
+
+}  // namespace
+
+ElementBuilder::ElementBuilder(const Elements& before, int dimension, bool second_order)
     : before_(before),
       corners_(static_cast<std::size_t>(dimension) + 1),
+      edges_(second_order ? edges_of_simplex(static_cast<std::size_t>(dimension)) : 0),
       stays_(before.size()),
-      kept_(before.vertices) {}
+      kept_(before.vertices),
+      kept_midside_(before.midside) {}
 
-ElementBuilder::Handle ElementBuilder::add_image(std::uint32_t source,
-                                                 std::span<const std::uint32_t> vertices) {
-  if (stays_[source]) return add(vertices);
+ElementBuilder::Handle ElementBuilder::add_image(std::uint32_t source, ElementTuple tuple) {
+  if (stays_[source]) return add(tuple, source);
   stays_[source] = true;
-  std::copy(vertices.begin(), vertices.end(),
+  std::copy(tuple.vertices.begin(), tuple.vertices.end(),
             kept_.begin() + static_cast<std::ptrdiff_t>(corners_ * source));
+  std::copy(tuple.midside.begin(), tuple.midside.end(),
+            kept_midside_.begin() + static_cast<std::ptrdiff_t>(edges_ * source));
   return source;
 }
 
-ElementBuilder::Handle ElementBuilder::add(std::span<const std::uint32_t> vertices) {
-  more_.insert(more_.end(), vertices.begin(), vertices.end());
-  return static_cast<Handle>(stays_.size() + more_.size() / corners_ - 1);
+ElementBuilder::Handle ElementBuilder::add(ElementTuple tuple, std::uint32_t source) {
+  more_.insert(more_.end(), tuple.vertices.begin(), tuple.vertices.end());
+  more_midside_.insert(more_midside_.end(), tuple.midside.begin(), tuple.midside.end());
+  more_source_.push_back(source);
+  return static_cast<Handle>(stays_.size() + more_source_.size() - 1);
 }
 
-Elements ElementBuilder::finish(std::uint64_t& next_number, std::span<Group> groups) const {
-  Elements after;
-  const std::size_t more = more_.size() / corners_;
-  std::vector<std::uint32_t> place_of(stays_.size() + more);
+ElementBuilder::Built ElementBuilder::finish(std::uint64_t& next_number,
+                                             std::span<Group> groups) const {
+  Built built;
+  Elements& after = built.elements;
+  std::vector<std::uint32_t> place_of(stays_.size() + more_source_.size());
   for (std::uint32_t e = 0; e < stays_.size(); ++e) {
     if (!stays_[e]) continue;
     place_of[e] = static_cast<std::uint32_t>(after.size());
-    const auto from = kept_.begin() + static_cast<std::ptrdiff_t>(corners_ * e);
-    after.vertices.insert(after.vertices.end(), from, from + static_cast<std::ptrdiff_t>(corners_));
+    append(after.vertices, kept_, e, corners_);
+    append(after.midside, kept_midside_, e, edges_);
     after.numbers.push_back(before_.numbers[e]);
+    built.source.push_back(e);
   }
-  for (std::size_t i = 0; i < more; ++i) {
+  for (std::size_t i = 0; i < more_source_.size(); ++i) {
     place_of[stays_.size() + i] = static_cast<std::uint32_t>(after.size());
     after.numbers.push_back(next_number++);
+    built.source.push_back(more_source_[i]);
   }
   after.vertices.insert(after.vertices.end(), more_.begin(), more_.end());
+  after.midside.insert(after.midside.end(), more_midside_.begin(), more_midside_.end());
 
   for (Group& group : groups) {
     for (std::uint32_t& e : group.elements) e = place_of[e];
@@ -47,7 +67,7 @@ Elements ElementBuilder::finish(std::uint64_t& next_number, std::span<Group> gro
     group.elements.erase(std::unique(group.elements.begin(), group.elements.end()),
                          group.elements.end());
   }
-  return after;
+  return built;
 }
 
 }  // namespace cleave::app

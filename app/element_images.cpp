@@ -45,22 +45,6 @@ Tuple ascending(Tuple tuple) {
   return tuple;
 }
 
-// How many vertices of the output each vertex of the file has become.
-template <int D>
-std::vector<std::uint32_t> count_copies(const Renaming<D>& renaming) {
-  const Mesh& mesh = *renaming.body->mesh;
-  std::vector<std::uint32_t> copies(mesh.points.size());
-  std::vector<bool> seen(renaming.after->vertex_count());
-  const std::uint32_t* file_vertex = mesh.cells().vertices.data();
-  for (const auto& cell : renaming.after->cells())
-    for (const auto v : cell) {
-      const std::uint32_t place = *file_vertex++;
-      if (!seen[v.value]) ++copies[place];
-      seen[v.value] = true;
-    }
-  return copies;
-}
-
 // For each face with `corners` vertices of each cell that has a vertex with several copies: the
 // images it makes of the elements there, by ascending cell.
 template <int D>
@@ -95,6 +79,21 @@ std::vector<Image> images_in_cells(const Renaming<D>& renaming, std::size_t corn
 }
 
 }  // namespace
+
+template <int D>
+std::vector<std::uint32_t> count_copies(const Renaming<D>& renaming) {
+  const Mesh& mesh = *renaming.body->mesh;
+  std::vector<std::uint32_t> copies(mesh.points.size());
+  std::vector<bool> seen(renaming.after->vertex_count());
+  const std::uint32_t* file_vertex = mesh.cells().vertices.data();
+  for (const auto& cell : renaming.after->cells())
+    for (const auto v : cell) {
+      const std::uint32_t place = *file_vertex++;
+      if (!seen[v.value]) ++copies[place];
+      seen[v.value] = true;
+    }
+  return copies;
+}
 
 template <int D>
 Images images_of(const Renaming<D>& renaming, int element_dimension, const Elements& elements) {
@@ -144,6 +143,9 @@ Images images_of(const Renaming<D>& renaming, int element_dimension, const Eleme
 template struct Renaming<1>;
 template struct Renaming<2>;
 template struct Renaming<3>;
+template std::vector<std::uint32_t> count_copies<1>(const Renaming<1>&);
+template std::vector<std::uint32_t> count_copies<2>(const Renaming<2>&);
+template std::vector<std::uint32_t> count_copies<3>(const Renaming<3>&);
 template Images images_of<1>(const Renaming<1>&, int, const Elements&);
 template Images images_of<2>(const Renaming<2>&, int, const Elements&);
 template Images images_of<3>(const Renaming<3>&, int, const Elements&);

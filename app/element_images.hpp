@@ -22,6 +22,10 @@ struct Renaming {
   std::uint32_t in_cell(topology::CellId cell, std::uint32_t place) const;
 };
 
+/// How many vertices of the output each vertex of the file has become. Time: linear in the cells.
+template <int D>
+std::vector<std::uint32_t> count_copies(const Renaming<D>& renaming);
+
 /// The images of the elements of one dimension: an element below the dimension of the cells is,
 /// after a cut, once in the output for each distinct tuple that the cells around it make of it.
 struct Images {

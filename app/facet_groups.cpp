@@ -11,7 +11,10 @@
 #include <set>
 #include <utility>
 
+#include "cleave/topology/locate.hpp"
+#include "edge_nodes.hpp"
 #include "element_builder.hpp"
+#include "mesh_fields.hpp"
 #include "sides.hpp"
 
 namespace cleave::app {
@@ -112,14 +115,17 @@ struct Entry {
   HalfFacetId lesser;
   std::array<std::uint32_t, static_cast<std::size_t>(D)> tuple;  // places in the file
   std::optional<std::uint32_t> element;  // of the file, if the facet gives up its place there
+  std::uint32_t source = ElementBuilder::kNoSource;  // else: the element whose values it takes
 };
 
 template <int D>
 class FacetCarrier {
  public:
-  FacetCarrier(const Renaming<D>& renaming, const topology::Incision<D>& incision,
-               const std::vector<NamedFacets>& asked, CutOutput& output)
+  FacetCarrier(const Renaming<D>& renaming, const NodeImages<D>& nodes,
+               const topology::Incision<D>& incision, const std::vector<NamedFacets>& asked,
+               CutOutput& output)
       : renaming_(renaming),
+        nodes_(nodes),
         body_(*renaming.body),
         mesh_(*body_.mesh),
         cut_(renaming, incision),
@@ -146,6 +152,7 @@ class FacetCarrier {
   }
 
   void add_groups(ElementBuilder& builder, GroupTable& table) {
+    std::vector<std::pair<HalfFacetId, const NamedFacets*>> sides;
     for (const NamedFacets* named : asked_) {
       const std::size_t minus = table.named(named->name + "_minus");
       const std::size_t plus = table.named(named->name + "_plus");
@@ -153,12 +160,16 @@ class FacetCarrier {
       const auto entries = entries_of(*named);
       if (!entries.empty()) warn_of_namesakes(named->name);
       const auto minus_of = choose(*named, entries);
+      for (const HalfFacetId side : minus_of.minus) sides.emplace_back(side, named);
       const auto put = [&](const Entry<D>& entry, HalfFacetId seen_from, std::size_t group) {
-        auto tuple = entry.tuple;
-        for (std::uint32_t& place : tuple)
-          place = renaming_.in_cell(topology::cell_of<D>(seen_from), place);
-        table.groups[group].elements.push_back(
-            entry.element ? builder.add_image(*entry.element, tuple) : builder.add(tuple));
+        const CellId cell = topology::cell_of<D>(seen_from);
+        auto vertices = entry.tuple;
+        for (std::uint32_t& place : vertices) place = renaming_.in_cell(cell, place);
+        const auto midside = nodes_in(cell, entry.tuple);
+        const ElementTuple tuple{vertices, midside};
+        table.groups[group].elements.push_back(entry.element
+                                                   ? builder.add_image(*entry.element, tuple)
+                                                   : builder.add(tuple, entry.source));
       };
       for (const Entry<D>& entry : entries) {
         if (cut_.shut(entry.lesser)) {
@@ -170,9 +181,46 @@ class FacetCarrier {
         put(entry, *body_.complex.mate(side), plus);
       }
     }
+    list_sides(std::move(sides));
   }
 
  private:
+  // The sides of every facet that opened, ascending; of several names the first counts.
+  void list_sides(std::vector<std::pair<HalfFacetId, const NamedFacets*>> sides) {
+    std::stable_sort(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
+      return cut_.lesser(a.first) < cut_.lesser(b.first);
+    });
+    for (const auto& [minus, named] : sides) {
+      const bool listed_already =
+          !output_.sides.empty() && cut_.lesser(output_.sides.back().minus) == cut_.lesser(minus);
+      if (!listed_already) output_.sides.push_back({minus, named->name});
+    }
+  }
+
+  // The nodes of second order that `cell` has now on the edges between these file places.
+  std::vector<std::uint32_t> nodes_in(CellId cell, std::span<const std::uint32_t> places) const {
+    std::vector<std::uint32_t> nodes;
+    if (!nodes_.second_order()) return nodes;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      for (std::size_t j = i + 1; j < places.size(); ++j)
+        nodes.push_back(nodes_.in_cell(cell, places[i], places[j]));
+    return nodes;
+  }
+
+  // The first element of the file on each facet (lesser half-facet), if there are fields on facets.
+  std::map<HalfFacetId, std::uint32_t> elements_on_facets() const {
+    std::map<HalfFacetId, std::uint32_t> first;
+    if (mesh_.facet_fields.empty()) return first;
+    std::vector<topology::Facet<D>> tuples(mesh_.facets().size());
+    for (std::size_t i = 0; i < mesh_.facets().vertices.size(); ++i)
+      tuples[i / D][i % D] = {mesh_.facets().vertices[i]};
+    const auto soup = soup_of<D>(mesh_);
+    const auto found = topology::locate_facets<D>(soup.cells, tuples);
+    for (std::uint32_t e = 0; e < found.size(); ++e)
+      if (found[e]) first.emplace(cut_.lesser(*found[e]), e);
+    return first;
+  }
+
   // A group of the file may have the name of one that a cut adds, as after an earlier cut.
   void warn_of_namesakes(const std::string& name) {
     for (const Group& group : mesh_.groups)
@@ -217,8 +265,12 @@ class FacetCarrier {
     for (const HalfFacetId h : named.facets)
       if (cut_.scored(h)) facets.push_back(cut_.lesser(h));
     const FacetSet distinct = FacetSet::of_lesser(std::move(facets));
-    for (const HalfFacetId h : distinct.half_facets())
+    const auto elements = elements_on_facets();
+    for (const HalfFacetId h : distinct.half_facets()) {
       entries.push_back({h, outward_tuple(body_, h), std::nullopt});
+      const auto element = elements.find(h);
+      if (element != elements.end()) entries.back().source = element->second;
+    }
     return entries;
   }
 
@@ -256,6 +308,7 @@ class FacetCarrier {
   }
 
   const Renaming<D>& renaming_;
+  const NodeImages<D>& nodes_;
   const Body<D>& body_;
   const Mesh& mesh_;
   CutFacets<D> cut_;
@@ -271,22 +324,48 @@ const char* plural(int dimension) {
   return kWords[static_cast<std::size_t>(dimension)];
 }
 
+// The images of vertex elements, some of which may be on nodes of second order.
+template <int D>
+Images with_nodes(const Images& on_vertices, const NodeImages<D>& nodes, const Elements& elements) {
+  Images images;
+  for (std::uint32_t e = 0; e < elements.size(); ++e) {
+    images.first.push_back(static_cast<std::uint32_t>(images.vertices.size()));
+    const auto first = on_vertices.vertices.begin() + on_vertices.first[e];
+    const auto last = on_vertices.vertices.begin() + on_vertices.first[e + 1];
+    images.vertices.insert(images.vertices.end(), first, last);
+    if (first != last) continue;
+    const auto places = nodes.places(elements.vertices[e]);
+    images.vertices.insert(images.vertices.end(), places.begin(), places.end());
+  }
+  images.first.push_back(static_cast<std::uint32_t>(images.vertices.size()));
+  return images;
+}
+
 // The images of the elements of dimension `k`, each of which is put into `builder`, and into its
 // groups. `facets` is given for the facets, where some of the groups are cut.
 template <int D>
-void carry(const Renaming<D>& renaming, int k, const FacetCarrier<D>* facets,
-           ElementBuilder& builder, GroupTable& table, CutOutput& output) {
+void carry(const Renaming<D>& renaming, const Carried<D>& carried, int k,
+           const FacetCarrier<D>* facets, ElementBuilder& builder, GroupTable& table,
+           CutOutput& output) {
   const Mesh& mesh = *renaming.body->mesh;
   const Elements& elements = mesh.elements[static_cast<std::size_t>(k)];
   const auto corners = static_cast<std::size_t>(k) + 1;
-  const Images images = images_of(renaming, k, elements);
+  const Images images = k == 0 && carried.nodes.second_order()
+                            ? with_nodes(carried.elements[0], carried.nodes, elements)
+                            : carried.elements[static_cast<std::size_t>(k)];
+  const std::size_t edges = edges_of_simplex(static_cast<std::size_t>(k));
   std::vector<std::pair<std::uint32_t, Handle>> further;  // element; its images but the first
   std::size_t gone = 0;
   for (std::uint32_t e = 0; e < elements.size(); ++e) {
     if (images.first[e] == images.first[e + 1]) ++gone;
     if (facets != nullptr && facets->gives_way(e)) continue;
     for (std::uint32_t i = images.first[e]; i < images.first[e + 1]; ++i) {
-      const Handle handle = builder.add_image(e, std::span(&images.vertices[corners * i], corners));
+      const std::span vertices(&images.vertices[corners * i], corners);
+      std::vector<std::uint32_t> midside;
+      if (elements.second_order())
+        midside =
+            carried.nodes.of_element(std::span(&elements.midside[edges * e], edges), vertices);
+      const Handle handle = builder.add_image(e, {vertices, midside});
       if (i > images.first[e]) further.emplace_back(e, handle);
     }
   }
@@ -312,8 +391,9 @@ void carry(const Renaming<D>& renaming, int k, const FacetCarrier<D>* facets,
 }  // namespace
 
 template <int D>
-void carry_elements(const Renaming<D>& renaming, const topology::Incision<D>& incision,
-                    const std::vector<NamedFacets>& asked, CutOutput& output) {
+void carry_elements(const Renaming<D>& renaming, const Carried<D>& images,
+                    const topology::Incision<D>& incision, const std::vector<NamedFacets>& asked,
+                    CutOutput& output) {
   const Mesh& mesh = *renaming.body->mesh;
   std::uint64_t next_number = 1;
   for (const Elements& elements : mesh.elements)
@@ -322,16 +402,19 @@ void carry_elements(const Renaming<D>& renaming, const topology::Incision<D>& in
 
   for (int k = 0; k < D; ++k) {
     const Elements& elements = mesh.elements[static_cast<std::size_t>(k)];
-    ElementBuilder builder(elements, k);
+    ElementBuilder builder(elements, k, mesh.cells().second_order());
     GroupTable table(mesh, k);
     if (k < D - 1) {
-      carry<D>(renaming, k, nullptr, builder, table, output);
+      carry<D>(renaming, images, k, nullptr, builder, table, output);
     } else {
-      FacetCarrier<D> facets(renaming, incision, asked, output);
-      carry<D>(renaming, k, &facets, builder, table, output);
+      FacetCarrier<D> facets(renaming, images.nodes, incision, asked, output);
+      carry<D>(renaming, images, k, &facets, builder, table, output);
       facets.add_groups(builder, table);
     }
-    output.mesh.elements[static_cast<std::size_t>(k)] = builder.finish(next_number, table.groups);
+    auto built = builder.finish(next_number, table.groups);
+    output.mesh.elements[static_cast<std::size_t>(k)] = std::move(built.elements);
+    if (k == D - 1)
+      output.mesh.facet_fields = take(mesh.facet_fields, built.source, ElementBuilder::kNoSource);
     for (Group& group : table.groups)
       if (!group.elements.empty()) output.mesh.groups.push_back(std::move(group));
   }
@@ -343,11 +426,13 @@ void carry_elements(const Renaming<D>& renaming, const topology::Incision<D>& in
                    });
 }
 
-template void carry_elements<1>(const Renaming<1>&, const topology::Incision<1>&,
-                                const std::vector<NamedFacets>&, CutOutput&);
-template void carry_elements<2>(const Renaming<2>&, const topology::Incision<2>&,
-                                const std::vector<NamedFacets>&, CutOutput&);
-template void carry_elements<3>(const Renaming<3>&, const topology::Incision<3>&,
-                                const std::vector<NamedFacets>&, CutOutput&);
+#define CLEAVE_INSTANTIATE(D)                                                                    \
+  template void carry_elements<D>(const Renaming<D>&, const Carried<D>&,                         \
+                                  const topology::Incision<D>&, const std::vector<NamedFacets>&, \
+                                  CutOutput&);
+CLEAVE_INSTANTIATE(1)
+CLEAVE_INSTANTIATE(2)
+CLEAVE_INSTANTIATE(3)
+#undef CLEAVE_INSTANTIATE
 
 }  // namespace cleave::app

@@ -1,6 +1,7 @@
 #include "mesh_fields.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace cleave::app {
@@ -12,6 +13,22 @@ void set_field(std::vector<Field>& fields, Field field) {
     fields.push_back(std::move(field));
   else
     *at = std::move(field);
+}
+
+std::vector<Field> take(const std::vector<Field>& fields, const std::vector<std::uint32_t>& source,
+                        std::uint32_t none) {
+  std::vector<Field> taken;
+  for (const Field& field : fields) {
+    Field& next = taken.emplace_back(Field{field.name, field.components, {}, field.integer});
+    const auto width = static_cast<std::size_t>(field.components);
+    next.values.reserve(width * source.size());
+    for (const std::uint32_t from : source)
+      for (std::size_t i = 0; i < width; ++i)
+        next.values.push_back(from != none    ? field.values[width * from + i]
+                              : field.integer ? -1
+                                              : std::numeric_limits<double>::quiet_NaN());
+  }
+  return taken;
 }
 
 std::vector<double> cell_tags(const Mesh& mesh) {

@@ -134,6 +134,11 @@ void Run::load_mesh() {
     if (const auto* cube = std::get_if<CubeSpec>(&scene_.mesh)) return kuhn_cube(*cube);
     return read_mesh(std::get<std::filesystem::path>(scene_.mesh));
   });
+  if (mesh_.cells().second_order())
+    throw InputError(mesh_.source +
+                     ": its cells are of second order, and the solver has linear elements; "
+                     "write the mesh in first order (gmsh: Mesh.ElementOrder = 1)");
+  mesh_.periodic.clear();  // no condition of a run
   if (mesh_.dimension != 3)
     throw InputError(
         fmt::format("{}: at /mesh: a scene needs tetrahedra, and the cells of {} are {}; give a "

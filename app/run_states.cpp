@@ -11,6 +11,7 @@ namespace {
 // A .vtu file of a run holds the cells alone, so that fields on cells fit them.
 void keep_cells_only(Mesh& mesh) {
   for (std::size_t d = 0; d < 3; ++d) mesh.elements[d] = {};
+  mesh.facet_fields.clear();
   mesh.groups.erase(std::remove_if(mesh.groups.begin(), mesh.groups.end(),
                                    [](const Group& group) { return group.dimension < 3; }),
                     mesh.groups.end());

@@ -1,0 +1,383 @@
+#include "periodic_pairs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "edge_nodes.hpp"
+#include "element_images.hpp"
+#include "error.hpp"
+#include "file_words.hpp"
+
+namespace cleave::app {
+
+using topology::CellId;
+using topology::HalfFacetId;
+
+namespace {
+
+// Two places of the output that a periodicity identifies.
+struct Link {
+  std::uint32_t vertex, master;
+  friend bool operator<(const Link& a, const Link& b) {
+    return std::pair(a.vertex, a.master) < std::pair(b.vertex, b.master);
+  }
+  friend bool operator==(const Link& a, const Link& b) {
+    return a.vertex == b.vertex && a.master == b.master;
+  }
+};
+
+// Two boundary facets that a periodicity identifies: of the entity, and of its master.
+struct FacetPair {
+  HalfFacetId facet, master;
+};
+
+template <int D>
+using Tuple = std::array<std::uint32_t, static_cast<std::size_t>(D)>;
+
+// The places of a facet's vertices in the file, and the places they have now in its cell.
+template <int D>
+struct FacetPlaces {
+  Tuple<D> file, now;
+};
+
+template <int D>
+class PairCarrier {
+ public:
+  PairCarrier(const Body<D>& body, CutOutput& output)
+      : body_(body), mesh_(*body.mesh), output_(output), component_(output.origin.size()) {
+    for (std::uint32_t h = 0; h < body.complex.half_facet_count(); ++h)
+      if (!body.complex.is_interior({h})) boundary_.push_back({h});
+    for (std::uint32_t place = 0; place < output.origin.size(); ++place)
+      by_origin_.emplace_back(output.origin[place], place);
+    std::sort(by_origin_.begin(), by_origin_.end());
+    std::iota(component_.begin(), component_.end(), 0u);
+  }
+
+  void run() {
+    std::vector<std::vector<Link>> links;
+    for (const Periodicity& p : mesh_.periodic) {
+      links.push_back(p.dimension == D - 1 ? links_of(p) : std::vector<Link>{});
+      for (const Link& link : links.back()) join(link.vertex, link.master);
+    }
+    for (std::size_t i = 0; i < mesh_.periodic.size(); ++i)
+      output_.mesh.periodic.push_back(after(mesh_.periodic[i], links[i]));
+    if (unpaired_ > 0)
+      output_.warnings.push_back(fmt::format(
+          "{} on no facet of the periodic boundary and in no periodic pair, such as {} of vertex "
+          "{}",
+          counted(unpaired_, "copy is", "copies are"), output_.mesh.vertex_numbers[first_unpaired_],
+          mesh_.vertex_numbers[output_.origin[first_unpaired_]]));
+  }
+
+ private:
+  FacetPlaces<D> places(HalfFacetId h) const {
+    const CellId cell = topology::cell_of<D>(h);
+    const std::size_t first = static_cast<std::size_t>(D + 1) * cell.value;
+    FacetPlaces<D> facet{};
+    for (std::size_t i = 0, to = 0; i <= static_cast<std::size_t>(D); ++i) {
+      if (static_cast<int>(i) == topology::local_index<D>(h)) continue;
+      facet.file[to] = mesh_.cells().vertices[first + i];
+      facet.now[to++] = output_.mesh.cells().vertices[first + i];
+    }
+    return facet;
+  }
+
+  // The node that `cell` has now on the edge between two file places.
+  std::uint32_t node(CellId cell, std::uint32_t a, std::uint32_t b) const {
+    const std::uint32_t* tuple =
+        &mesh_.cells().vertices[static_cast<std::size_t>(D + 1) * cell.value];
+    const auto i = static_cast<std::size_t>(std::find(tuple, tuple + D, a) - tuple);
+    const auto j = static_cast<std::size_t>(std::find(tuple, tuple + D, b) - tuple);
+    return output_.mesh.cells()
+        .midside[edges_of_simplex(D) * cell.value + edge_index(D, std::min(i, j), std::max(i, j))];
+  }
+
+  // The copies of a point of the file, ascending.
+  std::vector<std::uint32_t> copies(std::uint32_t origin) const {
+    std::vector<std::uint32_t> all;
+    for (auto at = std::lower_bound(by_origin_.begin(), by_origin_.end(), std::pair{origin, 0u});
+         at != by_origin_.end() && at->first == origin; ++at)
+      all.push_back(at->second);
+    return all;
+  }
+
+  // Facets of the boundary that `p` identifies. `master_of` is per point of the file.
+  std::vector<FacetPair> facet_pairs(const Periodicity& p,
+                                     std::vector<std::uint32_t>& master_of) const {
+    std::vector<bool> is_master(mesh_.points.size());
+    master_of.assign(mesh_.points.size(), kNoPlace);
+    for (const auto& pair : p.pairs) {
+      master_of[pair.vertex] = pair.master;
+      is_master[pair.master] = true;
+    }
+    std::vector<std::pair<Tuple<D>, HalfFacetId>> slaves, masters;
+    for (const HalfFacetId h : boundary_) {
+      Tuple<D> own = places(h).file, image{};
+      std::transform(own.begin(), own.end(), image.begin(),
+                     [&](std::uint32_t v) { return master_of[v]; });
+      const auto mastering = [&](std::uint32_t v) { return is_master[v]; };
+      if (std::all_of(own.begin(), own.end(), mastering)) {
+        std::sort(own.begin(), own.end());
+        masters.emplace_back(own, h);
+      }
+      if (std::find(image.begin(), image.end(), kNoPlace) == image.end()) {
+        std::sort(image.begin(), image.end());
+        slaves.emplace_back(image, h);
+      }
+    }
+    std::sort(masters.begin(), masters.end());
+    std::vector<FacetPair> pairs;
+    for (const auto& [key, h] : slaves) {
+      const auto at =
+          std::lower_bound(masters.begin(), masters.end(), std::pair{key, HalfFacetId{}});
+      if (at != masters.end() && at->first == key) pairs.push_back({h, at->second});
+    }
+    return pairs;
+  }
+
+  // What `p`, between entities of dimension D-1, identifies now. Throws InputError if that is not
+  // one to one.
+  std::vector<Link> links_of(const Periodicity& p) const {
+    std::vector<std::uint32_t> master_of;
+    const auto pairs = facet_pairs(p, master_of);
+    std::vector<Link> links;
+    for (const FacetPair& pair : pairs) {
+      const auto one = places(pair.facet), other = places(pair.master);
+      for (std::size_t i = 0; i < one.file.size(); ++i) {
+        const std::uint32_t master = master_of[one.file[i]];
+        const auto q = std::find(other.file.begin(), other.file.end(), master);
+        links.push_back({one.now[i], other.now[static_cast<std::size_t>(q - other.file.begin())]});
+        if (!mesh_.cells().second_order()) continue;
+        for (std::size_t j = i + 1; j < one.file.size(); ++j)
+          links.push_back(
+              {node(topology::cell_of<D>(pair.facet), one.file[i], one.file[j]),
+               node(topology::cell_of<D>(pair.master), master, master_of[one.file[j]])});
+      }
+    }
+    std::sort(links.begin(), links.end());
+    links.erase(std::unique(links.begin(), links.end()), links.end());
+    require_one_to_one(p, links, pairs, master_of);
+    return links;
+  }
+
+  void require_one_to_one(const Periodicity& p, const std::vector<Link>& links,
+                          const std::vector<FacetPair>& pairs,
+                          const std::vector<std::uint32_t>& master_of) const {
+    // Corners come before nodes: where nodes do not correspond, a corner of their edge does not.
+    std::vector<Link> inverse;
+    for (const Link& link : links) inverse.push_back({link.master, link.vertex});
+    std::sort(inverse.begin(), inverse.end());
+    for (std::size_t i = 1; i < links.size(); ++i) {
+      if (links[i - 1].vertex == links[i].vertex)
+        refuse(p, {links[i - 1].master, links[i].master}, links[i].vertex, pairs, master_of, true);
+      if (inverse[i - 1].vertex == inverse[i].vertex)
+        refuse(p, {inverse[i - 1].master, inverse[i].master}, inverse[i].vertex, pairs, master_of,
+               false);
+    }
+  }
+
+  // `apart` are two copies of one point, both identified with the point `joined` of the other side;
+  // `masters_apart`: the side that came apart is the master's.
+  [[noreturn]] void refuse(const Periodicity& p, std::array<std::uint32_t, 2> apart,
+                           std::uint32_t joined, const std::vector<FacetPair>& pairs,
+                           const std::vector<std::uint32_t>& master_of, bool masters_apart) const {
+    static constexpr std::array<const char*, 3> kEntity{"point", "curve", "surface"};
+    const std::uint32_t vertex = output_.origin[apart[0]], partner = output_.origin[joined];
+    const auto advice = what_to_cut(p, apart, vertex, pairs, master_of, masters_apart);
+    throw InputError(fmt::format(
+        "{}: the cut splits vertex {} and leaves vertex {} joined, although {} {} and its master "
+        "{} are periodic and make the two a pair; {}",
+        mesh_.source, mesh_.vertex_numbers[vertex], mesh_.vertex_numbers[partner],
+        kEntity[static_cast<std::size_t>(p.dimension)], p.entity, p.master,
+        advice.empty() ? "cut both sides alike, or leave the facets at this vertex out" : advice));
+  }
+
+  // "cut the facet (1 2 3) as well, ..", if two neighbouring facets of the side that came apart
+  // show a ridge where a facet opened that has a counterpart.
+  std::string what_to_cut(const Periodicity& p, std::array<std::uint32_t, 2> apart,
+                          std::uint32_t vertex, const std::vector<FacetPair>& pairs,
+                          const std::vector<std::uint32_t>& master_of, bool masters_apart) const {
+    std::vector<std::uint32_t> image = master_of;
+    if (masters_apart) {
+      image.assign(master_of.size(), kNoPlace);
+      for (const auto& pair : p.pairs) image[pair.master] = pair.vertex;
+    }
+    std::array<std::vector<FacetPlaces<D>>, 2> around;
+    for (const FacetPair& pair : pairs) {
+      const auto facet = places(masters_apart ? pair.master : pair.facet);
+      for (std::size_t i = 0; i < facet.now.size(); ++i)
+        for (std::size_t s = 0; s < 2; ++s)
+          if (facet.now[i] == apart[s]) around[s].push_back(facet);
+    }
+    for (const auto& one : around[0])
+      for (const auto& other : around[1]) {
+        std::vector<std::uint32_t> ridge, counterpart;
+        for (const std::uint32_t v : one.file)
+          if (std::find(other.file.begin(), other.file.end(), v) != other.file.end())
+            ridge.push_back(v);
+        if (ridge.size() + 1 != static_cast<std::size_t>(D)) continue;
+        for (const std::uint32_t v : ridge) counterpart.push_back(image[v]);
+        const auto opened = facets_at(ridge, true), shut = facets_at(counterpart, false);
+        if (opened.empty() || shut.empty()) continue;
+        const Map map{p, masters_apart, mesh_.points[vertex], mesh_.points[image[vertex]]};
+        const auto nearest =
+            std::min_element(shut.begin(), shut.end(), [&](const Tuple<D>& a, const Tuple<D>& b) {
+              return distance(map, opened.front(), a) < distance(map, opened.front(), b);
+            });
+        return fmt::format(
+            "cut the facet ({}) as well, which lies there as the facet ({}) does here",
+            numbers(*nearest), numbers(opened.front()));
+      }
+    return {};
+  }
+
+  // Facets of the file with a mate that contain `ridge`, and that did open or did not.
+  std::vector<Tuple<D>> facets_at(const std::vector<std::uint32_t>& ridge, bool opened) const {
+    std::vector<Tuple<D>> found;
+    for (std::uint32_t h = 0; h < body_.complex.half_facet_count(); ++h) {
+      const auto mate = body_.complex.mate({h});
+      if (!mate || mate->value < h) continue;
+      const auto facet = places({h});
+      if (!std::all_of(ridge.begin(), ridge.end(), [&](std::uint32_t v) {
+            return std::find(facet.file.begin(), facet.file.end(), v) != facet.file.end();
+          }))
+        continue;
+      auto one = facet.now, other = places(*mate).now;
+      std::sort(one.begin(), one.end());
+      std::sort(other.begin(), other.end());
+      if ((one != other) == opened) found.push_back(facet.file);
+    }
+    return found;
+  }
+
+  // From the side that came apart to the other one: the affine map of the file, or a translation.
+  struct Map {
+    const Periodicity& periodicity;
+    bool from_master;
+    std::array<double, 3> here, there;  // a vertex and its image
+  };
+
+  // How far the centre of facet `b` is from where the map takes that of facet `a`.
+  double distance(const Map& map, const Tuple<D>& a, const Tuple<D>& b) const {
+    auto from = centre(a), to = centre(b);
+    const auto& affine = map.periodicity.affine;
+    if (affine.size() != 16) {
+      for (std::size_t x = 0; x < 3; ++x) from[x] += map.there[x] - map.here[x];
+    } else {
+      auto& master = map.from_master ? from : to;
+      const auto p = master;
+      for (std::size_t x = 0; x < 3; ++x)
+        master[x] = affine[4 * x] * p[0] + affine[4 * x + 1] * p[1] + affine[4 * x + 2] * p[2] +
+                    affine[4 * x + 3];
+    }
+    return std::hypot(from[0] - to[0], from[1] - to[1], from[2] - to[2]);
+  }
+
+  std::array<double, 3> centre(const Tuple<D>& facet) const {
+    std::array<double, 3> sum{};
+    for (const std::uint32_t v : facet)
+      for (std::size_t x = 0; x < 3; ++x) sum[x] += mesh_.points[v][x] / D;
+    return sum;
+  }
+
+  std::string numbers(const Tuple<D>& facet) const {
+    std::vector<std::uint64_t> list;
+    for (const std::uint32_t v : facet) list.push_back(mesh_.vertex_numbers[v]);
+    std::sort(list.begin(), list.end());
+    return listed(list);
+  }
+
+  std::uint32_t root(std::uint32_t place) {
+    while (component_[place] != place) place = component_[place] = component_[component_[place]];
+    return place;
+  }
+  void join(std::uint32_t a, std::uint32_t b) { component_[root(a)] = root(b); }
+
+  // The pairs of `p` as they are now; `links` are those that its own facets identify.
+  Periodicity after(const Periodicity& p, const std::vector<Link>& links) {
+    Periodicity now{p.dimension, p.entity, p.master, p.affine, {}};
+    for (const auto& pair : p.pairs) {
+      const auto ones = copies(pair.vertex), others = copies(pair.master);
+      if (ones.empty() || others.empty()) continue;  // dropped with the vertex
+      if (ones.size() == 1 && others.size() == 1) {
+        now.pairs.push_back({ones.front(), others.front()});
+        continue;
+      }
+      std::vector<Link> found;
+      for (const std::uint32_t one : ones)
+        for (const std::uint32_t other : others)
+          if (std::binary_search(links.begin(), links.end(), Link{one, other}))
+            found.push_back({one, other});
+      if (found.empty()) found = by_way_of_others(p, pair, ones, others);
+      for (const Link& link : found) now.pairs.push_back({link.vertex, link.master});
+      note_unpaired(ones, others, found);
+    }
+    return now;
+  }
+
+  // Copies that facets of other periodicities identify, one after the other.
+  std::vector<Link> by_way_of_others(const Periodicity& p, const Periodicity::Pair& pair,
+                                     const std::vector<std::uint32_t>& ones,
+                                     const std::vector<std::uint32_t>& others) {
+    std::vector<Link> found;
+    for (const std::uint32_t one : ones)
+      for (const std::uint32_t other : others)
+        if (root(one) == root(other)) found.push_back({one, other});
+    bool one_to_one = !found.empty();
+    for (const Link& a : found)
+      for (const Link& b : found)
+        if (!(a == b) && (a.vertex == b.vertex || a.master == b.master)) one_to_one = false;
+    if (one_to_one) return found;
+    throw InputError(fmt::format(
+        "{}: the cut makes {} of vertex {} and {} of vertex {}, which entity {} of dimension {} "
+        "and "
+        "its master {} make a periodic pair, and {}; leave the facets at these vertices out, or "
+        "remove the periodic condition from the file",
+        mesh_.source, counted(ones.size(), "vertex", "vertices"), mesh_.vertex_numbers[pair.vertex],
+        ones.size() == others.size() ? "as many" : counted(others.size(), "vertex", "vertices"),
+        mesh_.vertex_numbers[pair.master], p.entity, p.dimension, p.master,
+        found.empty() ? "no facets that are identified say which belong together"
+                      : "they do not correspond one to one"));
+  }
+
+  void note_unpaired(const std::vector<std::uint32_t>& ones,
+                     const std::vector<std::uint32_t>& others, const std::vector<Link>& found) {
+    const auto note = [&](std::uint32_t place, bool paired) {
+      if (paired) return;
+      if (unpaired_++ == 0) first_unpaired_ = place;
+    };
+    for (const std::uint32_t one : ones)
+      note(one, std::any_of(found.begin(), found.end(),
+                            [&](const Link& link) { return link.vertex == one; }));
+    for (const std::uint32_t other : others)
+      note(other, std::any_of(found.begin(), found.end(),
+                              [&](const Link& link) { return link.master == other; }));
+  }
+
+  const Body<D>& body_;
+  const Mesh& mesh_;
+  CutOutput& output_;
+  std::vector<HalfFacetId> boundary_;                               // of the file's cells
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> by_origin_;  // origin, place in the output
+  std::vector<std::uint32_t> component_;  // union-find over the output's points
+  std::size_t unpaired_ = 0;
+  std::uint32_t first_unpaired_ = 0;
+};
+
+}  // namespace
+
+template <int D>
+void carry_periodic(const Body<D>& body, CutOutput& output) {
+  if (!body.mesh->periodic.empty()) PairCarrier<D>(body, output).run();
+}
+
+template void carry_periodic<1>(const Body<1>&, CutOutput&);
+template void carry_periodic<2>(const Body<2>&, CutOutput&);
+template void carry_periodic<3>(const Body<3>&, CutOutput&);
+
+}  // namespace cleave::app
