@@ -1,12 +1,11 @@
 #include <CLI/CLI.hpp>
-#include <optional>
 
 #include "choice.hpp"
 #include "commands.hpp"
 #include "cut_mesh.hpp"
 #include "error.hpp"
 #include "mesh_file.hpp"
-#include "output_file.hpp"
+#include "output_files.hpp"
 
 namespace cleave::app {
 namespace {
@@ -20,18 +19,16 @@ int run_cut(const CutOptions& options) {
   progress.clear();
   for (const std::string& warning : result.warnings) warn(warning);
 
-  // The report is written first and appears last: if either cannot be written, neither is there.
-  std::optional<OutputFile> json;
-  if (!options.json.empty() && options.json != "-") {
-    json.emplace(options.json);
-    json->write(json_of(result.report));
-  }
+  // All of them appear, or none.
+  OutputFiles files;
   if (!options.dry_run) {
     progress.stage("writing " + options.out);
-    write_mesh(options.out, result.mesh);
-    progress.clear();
+    write_mesh(files, options.out, result.mesh);
   }
-  if (json) json->commit();
+  if (!options.json.empty() && options.json != "-")
+    files.add(options.json).write(json_of(result.report));
+  files.commit();
+  progress.clear();
   if (options.json == "-")
     print(json_of(result.report));
   else if (!options.quiet)

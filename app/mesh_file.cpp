@@ -12,7 +12,7 @@
 #include "files/msh_format.hpp"
 #include "files/text_output.hpp"
 #include "files/vtk_files.hpp"
-#include "output_file.hpp"
+#include "output_files.hpp"
 
 namespace cleave::app {
 
@@ -100,7 +100,8 @@ Mesh read_mesh(const std::filesystem::path& path) {
   return mesh;
 }
 
-void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options) {
+void write_mesh(OutputFiles& files, const std::filesystem::path& path, const Mesh& mesh,
+                const WriteOptions& options) {
   const MeshFormat format = format_of(path);
   if (is_gzip_name(path))
     throw InputError("'" + path.string() + "': compressed files are read, not written; write '" +
@@ -108,24 +109,18 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Write
   if (format != MeshFormat::kGmsh && (options.msh_version || options.binary))
     throw InputError("'" + path.string() +
                      "': a version or a form, text or binary, can be chosen for .msh files only");
-  OutputFile file(path);
-  const GroupIntegers integers = write_format(file, format, mesh, options);
+  const GroupIntegers integers = write_format(files.add(path), format, mesh, options);
   const std::string names = integers.to_json();
-  if (!names.empty()) {
-    OutputFile groups(groups_path(path));
-    groups.write(names);
-    file.commit();  // first: without the mesh there is nothing to describe
-    groups.commit();
-    return;
-  }
-  if (format != MeshFormat::kGmsh) {
-    std::error_code error;
-    std::filesystem::remove(groups_path(path), error);
-    if (error)
-      throw OutputError("cannot remove '" + groups_path(path).string() +
-                        "', which no longer describes the mesh: " + error.message());
-  }
-  file.commit();
+  if (!names.empty())
+    files.add(groups_path(path)).write(names);
+  else if (format != MeshFormat::kGmsh)
+    files.remove(groups_path(path));
+}
+
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options) {
+  OutputFiles files;
+  write_mesh(files, path, mesh, options);
+  files.commit();
 }
 
 }  // namespace cleave::app

@@ -6,6 +6,8 @@
 
 namespace cleave::app {
 
+class OutputFiles;
+
 enum class MeshFormat { kMedit, kGmsh, kVtu, kVtk };
 
 /// The format that the extension of `path` names; upper and lower case are the same, and a further
@@ -30,7 +32,7 @@ struct WriteOptions {
   std::optional<bool> binary;             // .msh: else the mesh's form; others have one form
 };
 
-/// Writes a mesh in the format of the extension, completely or not at all (see OutputFile); order,
+/// Writes a mesh in the format of the extension, completely or not at all (see OutputFiles); order,
 /// tuples and, where the format has them, numbers are kept: `.msh` keeps the numbers of vertices
 /// and elements as long as they are distinct and positive, `.mesh`, `.vtu` and `.vtk` number by
 /// place. Groups of a format with one integer per element that have names, or overlap, are
@@ -39,6 +41,10 @@ struct WriteOptions {
 /// Throws InputError for an extension that is not known or ends in `.gz` (compress what was
 /// written), and for an option that the format does not have; OutputError for everything else.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh,
+                const WriteOptions& options = {});
+
+/// The same as a part of `files`: nothing appears before files.commit().
+void write_mesh(OutputFiles& files, const std::filesystem::path& path, const Mesh& mesh,
                 const WriteOptions& options = {});
 
 /// Where the names of groups go when the format of `mesh_path` cannot hold them; beside a

@@ -4,7 +4,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstddef>
 #include <system_error>
@@ -14,25 +13,16 @@ namespace {
 
 constexpr std::size_t kBufferSize = std::size_t{1} << 18;
 
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+/// Calls again what a signal has interrupted.
+template <class Call>
+auto uninterrupted(const Call& call) {
+  auto result = call();
+  while (result < 0 && errno == EINTR) result = call();
+  return result;
 }
 
-/// A name nobody else uses: hidden, short enough for every file system, told apart by process and
-/// count.
-std::filesystem::path temporary_name(const std::filesystem::path& target) {
-  static std::atomic<unsigned> count{0};
-  return folder_of(target) /
-         (".cleave-" + std::to_string(getpid()) + "-" + std::to_string(count++) + ".tmp");
-}
-
-/// Makes a rename survive a power cut. Some file systems cannot, which is no error of ours.
-void sync_folder(const std::filesystem::path& folder) {
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  fsync(descriptor);
-  close(descriptor);
-}
+/// Where an open file can be found as long as it has no name.
+std::string link_to(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
 
 }  // namespace
 
@@ -59,15 +49,29 @@ OutputFile::OutputFile(const std::filesystem::path& target) : shown_(target), ta
 OutputFile::~OutputFile() { discard(); }
 
 void OutputFile::open_in_place() {
-  descriptor_ = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+  in_place_ = true;
+  descriptor_ = uninterrupted([&] { return open(target_.c_str(), O_WRONLY | O_CLOEXEC); });
   if (descriptor_ < 0) fail(errno);
 }
 
+/// A file without a name goes with the process that has it open, however that ends.
+bool OutputFile::open_unnamed() {
+  descriptor_ = uninterrupted(
+      [&] { return open(folder_of(target_).c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666); });
+  if (descriptor_ >= 0 && access(link_to(descriptor_).c_str(), F_OK) != 0) {
+    close(descriptor_);  // no /proc here, so it could never get a name
+    descriptor_ = -1;
+  }
+  return descriptor_ >= 0;
+}
+
 void OutputFile::open_temporary() {
+  if (open_unnamed()) return;
   while (descriptor_ < 0) {
     const auto name = temporary_name(target_);
     watch_ = std::make_unique<WatchedTemporary>(name.string());
-    descriptor_ = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    descriptor_ = uninterrupted(
+        [&] { return open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); });
     if (descriptor_ >= 0) {
       temporary_ = name;
     } else if (errno != EEXIST) {
@@ -93,50 +97,69 @@ void OutputFile::write(std::string_view bytes) {
 
 void OutputFile::write_out(std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
+    const ssize_t count =
+        uninterrupted([&] { return ::write(descriptor_, bytes.data(), bytes.size()); });
     if (count < 0) fail(errno);
+    if (count == 0) fail(EIO);
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
 }
 
 void OutputFile::commit() {
+  const auto replacement = finish();
+  if (replacement) replace_together({&*replacement, 1});
+  forget_temporary();
+}
+
+/// Brings everything to the disk and gives the file its temporary name; what is left to do is what
+/// is returned. Nothing for a file that is written in place.
+std::optional<Replacement> OutputFile::finish() {
   write_out(buffer_);
   buffer_.clear();
-  if (temporary_.empty()) {
+  if (in_place_) {
     close_descriptor();
-    return;
+    return std::nullopt;
   }
-  if (fsync(descriptor_) != 0) fail(errno);
+  if (uninterrupted([&] { return fsync(descriptor_); }) != 0) fail(errno);
+  if (temporary_.empty()) give_name();
   close_descriptor();
-  if (rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
-  temporary_.clear();
-  watch_.reset();
-  sync_folder(folder_of(target_));
+  return Replacement{temporary_, target_, shown_};
+}
+
+void OutputFile::give_name() {
+  while (temporary_.empty()) {
+    const auto name = temporary_name(target_);
+    watch_ = std::make_unique<WatchedTemporary>(name.string());
+    if (linkat(AT_FDCWD, link_to(descriptor_).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) ==
+        0)
+      temporary_ = name;
+    else if (errno != EEXIST)
+      fail(errno);
+  }
 }
 
 void OutputFile::close_descriptor() {
   const int descriptor = descriptor_;
   descriptor_ = -1;
-  if (close(descriptor) != 0) fail(errno);
+  if (close(descriptor) != 0 && errno != EINTR) fail(errno);  // it is closed after EINTR, too
 }
 
 void OutputFile::discard() {
   if (descriptor_ >= 0) close(descriptor_);
   descriptor_ = -1;
   if (!temporary_.empty()) unlink(temporary_.c_str());
+  forget_temporary();
+}
+
+/// For a file that has its own name, or none.
+void OutputFile::forget_temporary() {
   temporary_.clear();
   watch_.reset();
 }
 
 void OutputFile::fail(int error_number) {
   discard();
-  std::string what =
-      "cannot write '" + shown_.string() + "': " + std::generic_category().message(error_number);
-  if (error_number == ENOSPC || error_number == EDQUOT)
-    what += "; free some space or write elsewhere, no partial file is left";
-  if (error_number == EISDIR) what += "; give the name of a file in it";
-  throw OutputError(what);
+  cannot_write(shown_, error_number);
 }
 
 void write_file(const std::filesystem::path& target, std::string_view bytes) {

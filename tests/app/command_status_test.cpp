@@ -60,7 +60,7 @@ class Interrupted : public CommandTest {};
 
 TEST_F(Interrupted, LeavesNoPartialFile) {
   // The output is a pipe that nobody reads to the end, so the command cannot finish before it is
-  // interrupted; its report, begun earlier, must be gone.
+  // interrupted; nothing of its report, which belongs to the output, may be there.
   const std::string pipe = folder_ / "out.mesh";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const int child = start({CLEAVE_COMMAND, "cut", data("liver-16k.mesh"), "-o", "out.mesh", "--all",
@@ -68,7 +68,6 @@ TEST_F(Interrupted, LeavesNoPartialFile) {
   const int end = open(pipe.c_str(), O_RDONLY);
   char byte = 0;
   EXPECT_EQ(::read(end, &byte, 1), 1);
-  EXPECT_EQ(files().size(), 2u);  // the pipe and the report's temporary file
   kill(child, SIGINT);
   const Outcome outcome = finish(child);
   close(end);

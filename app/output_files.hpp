@@ -1,0 +1,31 @@
+#pragma once
+#include <deque>
+#include <filesystem>
+#include <vector>
+
+#include "output_file.hpp"
+
+namespace cleave::app {
+
+/// Output files that belong together (a mesh, the names of its groups, a report): either all of
+/// them appear, or none, and what stood at their names before is still there. Only a process that
+/// is killed outright while commit() renames them can leave the first ones new and the others old;
+/// no file is partial then either.
+class OutputFiles {
+ public:
+  /// A further file, to be written by the caller. The reference stays valid. Throws as OutputFile.
+  OutputFile& add(const std::filesystem::path& target);
+
+  /// A file that is to be gone when the others appear. It need not be there.
+  void remove(const std::filesystem::path& target);
+
+  /// Brings all files to the disk, then makes them appear in the order in which they were added,
+  /// then removes what is to go. Call once, as the last thing. Throws OutputError.
+  void commit();
+
+ private:
+  std::deque<OutputFile> files_;
+  std::vector<std::filesystem::path> gone_;
+};
+
+}  // namespace cleave::app
