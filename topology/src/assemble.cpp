@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cleave/topology/check.hpp"
+#include "dimensions.hpp"
 #include "facet_matching.hpp"
 #include "parts.hpp"
 #include "soundness.hpp"
@@ -104,10 +105,7 @@ Regularized<D> assemble_regularized(CellSoup<D> soup) {
 #define CLEAVE_INSTANTIATE(D)                   \
   template Complex<D> assemble<D>(CellSoup<D>); \
   template Regularized<D> assemble_regularized<D>(CellSoup<D>);
-CLEAVE_INSTANTIATE(1)
-CLEAVE_INSTANTIATE(2)
-CLEAVE_INSTANTIATE(3)
-CLEAVE_INSTANTIATE(4)
+CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
 
 }  // namespace cleave::topology

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "dimensions.hpp"
 #include "disjoint_sets.hpp"
 #include "incidence.hpp"
 #include "morse.hpp"
@@ -179,10 +180,7 @@ std::optional<std::array<std::size_t, static_cast<std::size_t>(D) + 1>> betti_nu
 #define CLEAVE_INSTANTIATE(D)                                                              \
   template std::optional<std::array<std::size_t, D + 1>> betti_numbers(const CellSoup<D>&, \
                                                                        BettiLimits);
-CLEAVE_INSTANTIATE(1)
-CLEAVE_INSTANTIATE(2)
-CLEAVE_INSTANTIATE(3)
-CLEAVE_INSTANTIATE(4)
+CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
 
 }  // namespace cleave::topology

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cleave/topology/cell_soup.hpp"
+#include "dimensions.hpp"
 
 namespace cleave::topology {
 namespace {
@@ -127,10 +128,7 @@ std::optional<Rejection> certify(std::span<const Cell<D>> before, std::span<cons
 #define CLEAVE_INSTANTIATE(D)                   \
   template std::optional<Rejection> certify<D>( \
       std::span<const Cell<D>>, std::span<const HalfFacetId>, std::span<const Cell<D>>);
-CLEAVE_INSTANTIATE(1)
-CLEAVE_INSTANTIATE(2)
-CLEAVE_INSTANTIATE(3)
-CLEAVE_INSTANTIATE(4)
+CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
 
 }  // namespace cleave::topology

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "dimensions.hpp"
 #include "facet_matching.hpp"
 #include "orientation.hpp"
 #include "parts.hpp"
@@ -127,10 +128,7 @@ std::variant<std::vector<std::int8_t>, NonOrientable> orient(const CellView<D>& 
 #define CLEAVE_INSTANTIATE(D)                                          \
   template std::vector<Violation> check<D>(const CellView<D>&, Level); \
   template std::variant<std::vector<std::int8_t>, NonOrientable> orient<D>(const CellView<D>&);
-CLEAVE_INSTANTIATE(1)
-CLEAVE_INSTANTIATE(2)
-CLEAVE_INSTANTIATE(3)
-CLEAVE_INSTANTIATE(4)
+CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
 
 }  // namespace cleave::topology

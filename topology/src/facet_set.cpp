@@ -1,4 +1,5 @@
 #include "cleave/topology/facet_set.hpp"
+#include "dimensions.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -78,10 +79,7 @@ FacetSet operator^(const FacetSet& a, const FacetSet& b) {
 #define CLEAVE_INSTANTIATE(D)                                                         \
   template FacetSet FacetSet::of<D>(const Complex<D>&, std::span<const HalfFacetId>); \
   template FacetSet FacetSet::all<D>(const Complex<D>&);
-CLEAVE_INSTANTIATE(1)
-CLEAVE_INSTANTIATE(2)
-CLEAVE_INSTANTIATE(3)
-CLEAVE_INSTANTIATE(4)
+CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
 
 }  // namespace cleave::topology

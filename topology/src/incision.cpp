@@ -1,9 +1,14 @@
 #include "cleave/topology/incision.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "complex_access.hpp"
+#include "dimensions.hpp"
+#include "free_ids.hpp"
+#include "make_room.hpp"
 
 namespace cleave::topology {
 template <int D>
@@ -20,9 +25,16 @@ VertexId Incision<D>::original(VertexId vertex) const {
 template <int D>
 std::vector<OpenedFacet> Incision<D>::opened() const {
   std::vector<OpenedFacet> opened;
-  opened.reserve(sides_.size() / 2);
-  for (const auto& [half_facet, side] : sides_)
-    if (half_facet < side.former_mate) opened.push_back({half_facet, side.former_mate, side.by});
+  opened.reserve(former_mates_.size() / 2);
+  for (const auto& [half_facet, mate] : former_mates_) {
+    if (mate < half_facet) continue;
+    const Facet<D> one = complex_.facet(half_facet), other = complex_.facet(mate);
+    std::optional<VertexId> by;
+    for (const VertexId v : one)
+      if (std::find(other.begin(), other.end(), v) == other.end() && (!by || original(v) < *by))
+        by = original(v);
+    opened.push_back({half_facet, mate, by.value()});
+  }
   std::sort(opened.begin(), opened.end(),
             [](const OpenedFacet& a, const OpenedFacet& b) { return a.half_facet < b.half_facet; });
   return opened;
@@ -31,8 +43,8 @@ std::vector<OpenedFacet> Incision<D>::opened() const {
 template <int D>
 FacetSet Incision<D>::scored() const {
   std::vector<HalfFacetId> scored(shut_.half_facets().begin(), shut_.half_facets().end());
-  for (const auto& [half_facet, side] : sides_)
-    if (half_facet < side.former_mate) scored.push_back(half_facet);
+  for (const auto& [half_facet, mate] : former_mates_)
+    if (half_facet < mate) scored.push_back(half_facet);
   return FacetSet::of_lesser(std::move(scored));
 }
 
@@ -45,9 +57,9 @@ FacetSet Incision<D>::facets(std::span<const HalfFacetId> half_facets) const {
     if (const auto mate = complex_.mate(h)) {
       lesser.push_back(std::min(h, *mate));
     } else {
-      const auto side = sides_.find(h);
-      if (side == sides_.end()) throw NotInterior(h);
-      lesser.push_back(std::min(h, side->second.former_mate));
+      const auto former = former_mates_.find(h);
+      if (former == former_mates_.end()) throw NotInterior(h);
+      lesser.push_back(std::min(h, former->second));
     }
   }
   return FacetSet::of_lesser(std::move(lesser));
@@ -55,10 +67,19 @@ FacetSet Incision<D>::facets(std::span<const HalfFacetId> half_facets) const {
 
 template <int D>
 Relabelling Incision<D>::cut(const FacetSet& facets, Verify verify) {
-  std::vector<HalfFacetId> lesser(shut_.half_facets().begin(), shut_.half_facets().end());
+  std::vector<HalfFacetId> added;
   for (const HalfFacetId h : facets.half_facets())
-    if (sides_.count(h) == 0) lesser.push_back(h);
-  const FacetSet asked = FacetSet::of_lesser(std::move(lesser));
+    if (!former_mates_.contains(h) && !shut_.contains(h)) added.push_back(h);
+  Step step{FacetSet::of_lesser(std::move(added)), true};
+  detail::make_room(done_, 1);
+  Relabelling change = score(step.facets, verify);
+  record(std::move(step));
+  return change;
+}
+
+template <int D>
+Relabelling Incision<D>::score(const FacetSet& facets, Verify verify) {
+  const FacetSet asked = shut_ | facets;
   for (const HalfFacetId h : asked.half_facets()) {
     if (h.value >= complex_.half_facet_count()) throw NotInterior(h);
     const auto mate = complex_.mate(h);
@@ -70,45 +91,76 @@ Relabelling Incision<D>::cut(const FacetSet& facets, Verify verify) {
   Relabelling change;
   try {
     shut.reserve(asked.size());
-    make_room_for_copies(2 * static_cast<std::size_t>(D) * asked.size());
+    detail::make_room(original_of_copy_, 2 * static_cast<std::size_t>(D) * asked.size());
     for (const HalfFacetId h : asked.half_facets()) {
       const HalfFacetId mate = *complex_.mate(h);
-      sides_.emplace(h, Side{mate, VertexId{}});
-      sides_.emplace(mate, Side{h, VertexId{}});
+      former_mates_.emplace(h, mate);
+      former_mates_.emplace(mate, h);
     }
-    change = unglue(complex_, asked, verify);
+    change = detail::unglue_with_ids(complex_, asked, verify, free_);
   } catch (...) {
-    for (const HalfFacetId h : asked.half_facets()) forget_sides(h);
+    for (const HalfFacetId h : asked.half_facets()) forget_mates(h);
     throw;
   }
-  for (const Split& split : change.splits) original_of_copy_.push_back(original(split.parent));
-  for (const OpenedFacet& facet : change.opened)
-    sides_.at(facet.half_facet).by = sides_.at(facet.former_mate).by = original(facet.by);
-  for (const HalfFacetId h : change.shut) forget_sides(h);
+  original_of_copy_.resize(change.vertices_after - original_vertex_count_);
+  for (const Split& split : change.splits)
+    original_of_copy_[split.vertex.value - original_vertex_count_] = original(split.parent);
+  for (const HalfFacetId h : change.shut) forget_mates(h);
   shut.assign(change.shut.begin(), change.shut.end());
   shut_ = FacetSet::of_lesser(std::move(shut));
   return change;
 }
 
 template <int D>
-void Incision<D>::make_room_for_copies(std::size_t copies) {
-  const std::size_t needed = original_of_copy_.size() + copies;
-  if (original_of_copy_.capacity() < needed)
-    original_of_copy_.reserve(std::max(needed, 2 * original_of_copy_.capacity()));
-}
-
-template <int D>
-void Incision<D>::forget_sides(HalfFacetId half_facet) {
-  const auto side = sides_.find(half_facet);
-  if (side == sides_.end()) return;
-  const HalfFacetId mate = side->second.former_mate;
-  sides_.erase(side);
-  sides_.erase(mate);
+void Incision<D>::forget_mates(HalfFacetId half_facet) {
+  const auto former = former_mates_.find(half_facet);
+  if (former == former_mates_.end()) return;
+  const HalfFacetId mate = former->second;
+  former_mates_.erase(former);
+  former_mates_.erase(mate);
 }
 
 template <int D>
 void Incision<D>::forget_shut(const FacetSet& facets) {
-  shut_ = shut_ - facets;
+  stitch(facets & shut_, Verify::none);
+}
+
+template <int D>
+void Incision<D>::record(Step step) {
+  if (step.facets.empty()) return;
+  done_.push_back(std::move(step));
+  undone_.clear();
+}
+
+template <int D>
+Relabelling Incision<D>::repeat(std::vector<Step>& from, std::vector<Step>& to, bool forwards,
+                                Verify verify) {
+  if (from.empty())
+    throw std::logic_error(forwards ? "there is no step to be done again"
+                                    : "there is no step to be taken back");
+  detail::make_room(to, 1);
+  const Step& step = from.back();
+  Relabelling change =
+      step.scored == forwards ? score(step.facets, verify) : take_back(step.facets, verify);
+  to.push_back(std::move(from.back()));
+  from.pop_back();
+  return change;
+}
+
+template <int D>
+Relabelling Incision<D>::undo(Verify verify) {
+  return repeat(done_, undone_, false, verify);
+}
+
+template <int D>
+Relabelling Incision<D>::redo(Verify verify) {
+  return repeat(undone_, done_, true, verify);
+}
+
+template <int D>
+void Incision<D>::forget_steps() {
+  done_ = {};
+  undone_ = {};
 }
 
 template <int D>
@@ -140,10 +192,7 @@ std::vector<VertexId> canonical(const Incision<D>& incision) {
 #define CLEAVE_INSTANTIATE(D) \
   template class Incision<D>; \
   template std::vector<VertexId> canonical<D>(const Incision<D>&);
-CLEAVE_INSTANTIATE(1)
-CLEAVE_INSTANTIATE(2)
-CLEAVE_INSTANTIATE(3)
-CLEAVE_INSTANTIATE(4)
+CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
 
 }  // namespace cleave::topology

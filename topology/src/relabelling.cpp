@@ -5,12 +5,14 @@
 namespace cleave::topology {
 
 VertexId Relabelling::parent(VertexId vertex) const {
+  if (splits.empty() || vertex < splits.front().vertex) return vertex;
   const auto at = std::lower_bound(splits.begin(), splits.end(), vertex,
                                    [](const Split& s, VertexId v) { return s.vertex < v; });
   return at != splits.end() && at->vertex == vertex ? at->parent : vertex;
 }
 
 VertexId Relabelling::merged(VertexId vertex) const {
+  if (merges.empty() || vertex < merges.front().vertex) return vertex;
   const auto at = std::lower_bound(merges.begin(), merges.end(), vertex,
                                    [](const Merge& m, VertexId v) { return m.vertex < v; });
   return at != merges.end() && at->vertex == vertex ? at->into : vertex;

@@ -4,7 +4,10 @@
 #include <stdexcept>
 
 #include "cleave/topology/violation.hpp"
+#include "dimensions.hpp"
+#include "facet_mates.hpp"
 #include "flood.hpp"
+#include "free_ids.hpp"
 
 namespace cleave::topology {
 namespace {
@@ -19,12 +22,13 @@ class Ungluing {
   using Access = detail::ComplexAccess<D>;
 
  public:
-  Ungluing(Complex<D>& k, const FacetSet& cut)
+  Ungluing(Complex<D>& k, const FacetSet& cut, std::vector<VertexId>& free_ids)
       : k_(k),
         cut_(cut),
         cells_(Access::cells(k)),
         mates_(Access::mates(k)),
-        old_vertex_count_(static_cast<std::uint32_t>(k.vertex_count())) {
+        old_vertex_count_(static_cast<std::uint32_t>(k.vertex_count())),
+        new_ids_(free_ids, old_vertex_count_) {
     severed_.reserve(cut.size());
     for (const HalfFacetId h : cut.half_facets()) {
       if (h.value >= mates_.size() || mates_[h.value].value == detail::kNone || mates_[h.value] < h)
@@ -48,9 +52,6 @@ class Ungluing {
   }
 
  private:
-  struct Mates {
-    HalfFacetId lesser, greater;
-  };
   /// Corners first .. last of corners_ share a vertex after the cut.
   struct Class {
     VertexId parent;
@@ -61,8 +62,7 @@ class Ungluing {
   };
 
   void sever() {
-    for (const Mates& facet : severed_)
-      mates_[facet.lesser.value] = mates_[facet.greater.value] = HalfFacetId{detail::kNone};
+    for (const detail::FacetMates& facet : severed_) detail::sever(mates_, facet);
   }
 
   VertexId& vertex(CornerId corner) {
@@ -71,7 +71,7 @@ class Ungluing {
 
   /// Every class borders a facet of the cut, since the star was one part before.
   void find_classes() {
-    for (const Mates& facet : severed_)
+    for (const detail::FacetMates& facet : severed_)
       for (const HalfFacetId side : {facet.lesser, facet.greater})
         for (int i = 0; i <= D; ++i)
           if (i != local_index<D>(side)) find_class(half_facet<D>(cell_of<D>(side), i));
@@ -95,26 +95,30 @@ class Ungluing {
   }
 
   Relabelling commit() {
+    Relabelling change;
+    change.vertices_before = old_vertex_count_;
+    tell_opened_from_shut(change);
+
     std::sort(classes_.begin(), classes_.end(), [](const Class& a, const Class& b) {
       return a.parent != b.parent ? a.parent < b.parent : a.least < b.least;
     });
-    Relabelling change;
-    change.vertices_before = old_vertex_count_;
-    std::size_t renamed = 0;
+    std::size_t copies = 0, renamed = 0;
+    for (std::size_t n = 1; n < classes_.size(); ++n) {
+      if (classes_[n - 1].parent != classes_[n].parent) continue;
+      ++copies;
+      renamed += classes_[n].last - classes_[n].first;
+    }
+    change.splits.reserve(copies);
+    change.corners.reserve(renamed);
+    new_ids_.make_room(copies);
     for (std::size_t n = 0; n < classes_.size(); ++n) {
       Class& c = classes_[n];
-      if (n == 0 || classes_[n - 1].parent != c.parent) {
-        c.vertex = c.parent;
-        continue;
-      }
-      c.vertex = {old_vertex_count_ + static_cast<std::uint32_t>(change.splits.size())};
+      c.vertex = c.parent;
+      if (n == 0 || classes_[n - 1].parent != c.parent) continue;
+      c.vertex = new_ids_.next();
       change.splits.push_back({c.vertex, c.parent});
-      renamed += c.last - c.first;
     }
-    change.vertices_after = old_vertex_count_ + change.splits.size();
-    change.corners.reserve(renamed);
-    change.opened.reserve(severed_.size());
-    change.shut.reserve(severed_.size());
+    change.vertices_after = new_ids_.bound();
     Access::resize_vertices(k_, change.vertices_after);
 
     // Nothing below throws.
@@ -127,22 +131,30 @@ class Ungluing {
     }
     std::sort(change.corners.begin(), change.corners.end(),
               [](const RenamedCorner& a, const RenamedCorner& b) { return a.corner < b.corner; });
-    for (const Mates& facet : severed_) {
-      if (const auto by = separator(facet, change)) {
-        change.opened.push_back({facet.lesser, facet.greater, *by});
-      } else {
-        mates_[facet.lesser.value] = facet.greater;
-        mates_[facet.greater.value] = facet.lesser;
-        change.shut.push_back(facet.lesser);
-      }
+    auto shut = change.shut.begin();
+    for (const detail::FacetMates& facet : severed_) {
+      if (shut == change.shut.end() || *shut != facet.lesser) continue;
+      detail::join(mates_, facet);
+      ++shut;
     }
     return change;
   }
 
-  /// The least vertex of a severed facet whose corners in the two cells differ now (T3).
-  std::optional<VertexId> separator(const Mates& facet, const Relabelling& change) const {
+  /// By the provisional vertices (T3).
+  void tell_opened_from_shut(Relabelling& change) const {
+    change.opened.reserve(severed_.size());
+    change.shut.reserve(severed_.size());
+    for (const detail::FacetMates& facet : severed_)
+      if (const auto by = separator(facet))
+        change.opened.push_back({facet.lesser, facet.greater, *by});
+      else
+        change.shut.push_back(facet.lesser);
+  }
+
+  /// The least vertex of a severed facet whose corners in the two cells are of different classes.
+  std::optional<VertexId> separator(const detail::FacetMates& facet) const {
     const auto parent = [&](VertexId v) {
-      return v.value < old_vertex_count_ ? v : change.splits[v.value - old_vertex_count_].parent;
+      return v.value < old_vertex_count_ ? v : classes_[v.value - old_vertex_count_].parent;
     };
     std::optional<VertexId> least;
     const Cell<D>& one = cells_[cell_of<D>(facet.lesser).value];
@@ -161,10 +173,10 @@ class Ungluing {
       for (std::size_t n = c.first; n < c.last; ++n) vertex(corners_[n]) = c.parent;
       Access::set_a_corner(k_, c.parent, c.named);
     }
-    for (const Mates& facet : severed_) {
-      mates_[facet.lesser.value] = facet.greater;
-      mates_[facet.greater.value] = facet.lesser;
-    }
+    for (const VertexId id : new_ids_.reused())
+      Access::set_a_corner(k_, id, CornerId{detail::kNone});
+    new_ids_.give_back();
+    for (const detail::FacetMates& facet : severed_) detail::join(mates_, facet);
     Access::resize_vertices(k_, old_vertex_count_);
   }
 
@@ -173,7 +185,8 @@ class Ungluing {
   std::vector<Cell<D>>& cells_;
   std::vector<HalfFacetId>& mates_;
   const std::uint32_t old_vertex_count_;
-  std::vector<Mates> severed_;
+  detail::NewIds new_ids_;
+  std::vector<detail::FacetMates> severed_;
   std::vector<Class> classes_;
   std::vector<CornerId> corners_;  // of all classes, one after the other
 };
@@ -182,12 +195,21 @@ class Ungluing {
 
 template <int D>
 Relabelling unglue(Complex<D>& k, const FacetSet& cut, Verify verify) {
-  return Ungluing<D>(k, cut).run(verify);
+  std::vector<VertexId> none;
+  return detail::unglue_with_ids(k, cut, verify, none);
 }
 
-template Relabelling unglue<1>(Complex<1>&, const FacetSet&, Verify);
-template Relabelling unglue<2>(Complex<2>&, const FacetSet&, Verify);
-template Relabelling unglue<3>(Complex<3>&, const FacetSet&, Verify);
-template Relabelling unglue<4>(Complex<4>&, const FacetSet&, Verify);
+template <int D>
+Relabelling detail::unglue_with_ids(Complex<D>& k, const FacetSet& cut, Verify verify,
+                                    std::vector<VertexId>& heap) {
+  return Ungluing<D>(k, cut, heap).run(verify);
+}
+
+#define CLEAVE_INSTANTIATE(D)                                                           \
+  template Relabelling unglue<D>(Complex<D>&, const FacetSet&, Verify);                 \
+  template Relabelling detail::unglue_with_ids<D>(Complex<D>&, const FacetSet&, Verify, \
+                                                  std::vector<VertexId>&);
+CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
+#undef CLEAVE_INSTANTIATE
 
 }  // namespace cleave::topology

@@ -8,6 +8,7 @@
 #include "cleave/topology/unglue.hpp"
 #include "cleave/topology/violation.hpp"
 #include "corner_set.hpp"
+#include "dimensions.hpp"
 
 namespace cleave::topology {
 namespace {
@@ -41,29 +42,64 @@ void verify_mates(const Complex<D>& k, HalfFacetId h, HalfFacetId m) {
           "mates have the same orientation at half-facet", h.value);
 }
 
-void verify_names(const Relabelling& change) {
-  require(change.vertices_after == change.vertices_before + change.splits.size(),
-          "vertices are not counted right, splits",
-          static_cast<std::uint32_t>(change.splits.size()));
+/// New vertices are told of once each, and every number beyond the old ones is among them.
+void verify_splits(const Relabelling& change) {
+  std::size_t beyond = 0;
   for (std::size_t n = 0; n < change.splits.size(); ++n) {
     const Split& split = change.splits[n];
-    require(split.vertex.value == change.vertices_before + n, "a copy is misnumbered",
-            split.vertex.value);
-    require(split.parent.value < change.vertices_before, "a copy's parent is new",
-            split.vertex.value);
+    require(split.vertex.value < change.vertices_after &&
+                (n == 0 || change.splits[n - 1].vertex < split.vertex),
+            "a copy is misnumbered", split.vertex.value);
+    require(
+        split.parent.value < change.vertices_before && change.parent(split.parent) == split.parent,
+        "a copy's parent is new", split.vertex.value);
+    if (split.vertex.value >= change.vertices_before) ++beyond;
   }
-  for (const RenamedCorner& renamed : change.corners) {
-    require(renamed.from != renamed.to && renamed.from.value < change.vertices_before,
-            "a corner is renamed to no copy", renamed.corner.value);
-    require(renamed.to.value >= change.vertices_before &&
-                renamed.to.value < change.vertices_after &&
-                change.splits[renamed.to.value - change.vertices_before].parent == renamed.from,
-            "a corner got a copy of another vertex", renamed.corner.value);
+  require(change.vertices_after == change.vertices_before + beyond,
+          "vertices are not counted right, splits",
+          static_cast<std::uint32_t>(change.splits.size()));
+}
+
+/// Vertices that ceased to exist are told of once each, and no cell uses them.
+template <int D>
+void verify_merges(const Complex<D>& k, const Relabelling& change) {
+  require(change.vertices_after <= change.vertices_before, "vertices are not counted right, merges",
+          static_cast<std::uint32_t>(change.merges.size()));
+  for (std::size_t n = 0; n < change.merges.size(); ++n) {
+    const Merge& merge = change.merges[n];
+    require(merge.vertex.value < change.vertices_before &&
+                (n == 0 || change.merges[n - 1].vertex < merge.vertex),
+            "a merged copy is misnumbered", merge.vertex.value);
+    require(merge.vertex.value >= change.vertices_after || !k.a_corner(merge.vertex),
+            "a merged copy has a corner", merge.vertex.value);
+    require(merge.into.value < change.vertices_after && change.merged(merge.into) == merge.into,
+            "a copy is merged into one that ceased to exist", merge.vertex.value);
   }
 }
 
-/// The facets of `cut` are the opened and the shut ones, and what is said of them is so. The names
-/// of `change` are verified.
+template <int D>
+void verify_names(const Complex<D>& k, const Relabelling& change) {
+  require(k.vertex_count() == change.vertices_after, "vertices are not counted right",
+          static_cast<std::uint32_t>(change.vertices_after));
+  require(change.splits.empty() || change.merges.empty(), "a change both splits and merges, copies",
+          static_cast<std::uint32_t>(change.splits.size()));
+  if (change.merges.empty())
+    verify_splits(change);
+  else
+    verify_merges(k, change);
+  for (const RenamedCorner& renamed : change.corners) {
+    require(renamed.from != renamed.to, "a corner is renamed to its own vertex",
+            renamed.corner.value);
+    require(change.merges.empty() ? change.parent(renamed.to) == renamed.from
+                                  : change.merged(renamed.from) == renamed.to,
+            "a corner got a vertex that is neither copy nor parent", renamed.corner.value);
+    require(k.vertex(renamed.corner) == renamed.to, "a corner does not have its new vertex",
+            renamed.corner.value);
+  }
+}
+
+/// The facets of `cut` are the opened and the shut ones, and what is said of them, and of closed
+/// ones, is so. The names of `change` are verified.
 template <int D>
 void verify_facets(const Complex<D>& k, const FacetSet& cut, const Relabelling& change) {
   std::vector<HalfFacetId> named = change.shut;
@@ -75,11 +111,12 @@ void verify_facets(const Complex<D>& k, const FacetSet& cut, const Relabelling& 
           static_cast<std::uint32_t>(cut.size()));
   for (const HalfFacetId h : change.shut)
     require(k.is_interior(h), "a shut facet lost its mate", h.value);
+  for (const OpenedFacet& facet : change.closed)
+    require(k.mate(facet.half_facet) == facet.former_mate, "a closed facet has not its mate",
+            facet.half_facet.value);
   const auto parents = [&](HalfFacetId h) {
     Facet<D> facet = k.facet(h);
-    for (VertexId& v : facet)
-      if (v.value >= change.vertices_before)
-        v = change.splits[v.value - change.vertices_before].parent;
+    for (VertexId& v : facet) v = change.parent(v);
     std::sort(facet.begin(), facet.end());
     return facet;
   };
@@ -152,23 +189,20 @@ class StarWalks {
 
 template <int D>
 void verify_touched(const Complex<D>& k, const FacetSet& cut, const Relabelling& change) {
-  verify_names(change);
+  verify_names(k, change);
   verify_facets(k, cut, change);
   StarWalks<D> walks(k);
-  for (const RenamedCorner& renamed : change.corners) {
-    require(k.vertex(renamed.corner) == renamed.to, "a corner does not have its new vertex",
-            renamed.corner.value);
-    walks.walk(renamed.corner);
-  }
+  for (const RenamedCorner& renamed : change.corners) walks.walk(renamed.corner);
   // Each class of corners at a vertex of the cut has a corner on a side of one of its facets.
   const auto walk_around = [&](HalfFacetId side) {
     for (int i = 0; i <= D; ++i)
       if (i != local_index<D>(side)) walks.walk(half_facet<D>(cell_of<D>(side), i));
   };
-  for (const OpenedFacet& facet : change.opened) {
-    walk_around(facet.half_facet);
-    walk_around(facet.former_mate);
-  }
+  for (const auto* facets : {&change.opened, &change.closed})
+    for (const OpenedFacet& facet : *facets) {
+      walk_around(facet.half_facet);
+      walk_around(facet.former_mate);
+    }
   for (const HalfFacetId h : change.shut) {
     walk_around(h);
     walk_around(*k.mate(h));
@@ -194,10 +228,7 @@ void verify_all(const Complex<D>& k) {
 #define CLEAVE_INSTANTIATE(D)                                                              \
   template void verify_touched<D>(const Complex<D>&, const FacetSet&, const Relabelling&); \
   template void verify_all<D>(const Complex<D>&);
-CLEAVE_INSTANTIATE(1)
-CLEAVE_INSTANTIATE(2)
-CLEAVE_INSTANTIATE(3)
-CLEAVE_INSTANTIATE(4)
+CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
 
 }  // namespace cleave::topology

@@ -94,18 +94,17 @@ class Incision {
     bool scored = true;  // or taken back
   };
 
-  void make_room_for_copies(std::size_t copies);
-  void forget_sides(HalfFacetId half_facet);  // does not throw
+  Relabelling score(const FacetSet& facets, Verify verify);
+  Relabelling take_back(const FacetSet& facets, Verify verify);
+  void record(Step step);                     // requires room; does not throw
+  void forget_mates(HalfFacetId half_facet);  // does not throw
+  Relabelling repeat(std::vector<Step>& from, std::vector<Step>& to, bool forwards, Verify verify);
 
   Complex<D> complex_;
   std::size_t original_vertex_count_ = 0;
   std::vector<VertexId> original_of_copy_;  // of vertex original_vertex_count_ + i
-  struct Side {
-    HalfFacetId former_mate;
-    VertexId by;
-  };
-  std::unordered_map<HalfFacetId, Side>
-      sides_;  // of opened facets, both; with the mates to restore
+  std::vector<VertexId> free_;              // heap of unused ids, see free_ids.hpp
+  std::unordered_map<HalfFacetId, HalfFacetId> former_mates_;  // of opened facets, both ways
   FacetSet shut_;
   std::vector<Step> done_, undone_;
 };

@@ -23,7 +23,9 @@ Relabelling unglue(Complex<D>& k, const FacetSet& cut, Verify verify = Verify::t
 
 /// What Verify::touched does: throws InvariantBroken unless, around every corner that `change`
 /// names and every facet of `cut`, mates match, have the same vertices and opposite orientations,
-/// stars are one part, and exactly the facets named as opened have lost their mates.
+/// stars are one part, exactly the facets named as opened have lost their mates, those named as
+/// closed have theirs again, and merged vertices have no corner left. `cut` is, for a cut, all
+/// scored facets that were interior before; for a stitch the scored facets that closed.
 template <int D>
 void verify_touched(const Complex<D>& k, const FacetSet& cut, const Relabelling& change);
 
