@@ -75,6 +75,63 @@ TYPED_TEST(Memory, AnIncisionThatRunsOutOfItChangesNothing) {
     ASSERT_EQ(one[staged.complex().vertex({c}).value], other[at_once.complex().vertex({c}).value]);
 }
 
+/// All that can be seen of an incision.
+template <int D>
+struct IncisionSight {
+  Sight<D> complex;
+  std::vector<OpenedFacet> opened;
+  FacetSet shut;
+  std::vector<VertexId> originals;
+  bool can_undo, can_redo;
+  friend bool operator==(const IncisionSight&, const IncisionSight&) = default;
+};
+
+template <int D>
+IncisionSight<D> sight_of(const Incision<D>& incision) {
+  IncisionSight<D> sight{sight_of(incision.complex()), incision.opened(),  incision.shut(), {},
+                         incision.can_undo(),          incision.can_redo()};
+  for (std::uint32_t v = 0; v < incision.complex().vertex_count(); ++v)
+    sight.originals.push_back(incision.original({v}));
+  return sight;
+}
+
+TYPED_TEST(Memory, AStitchThatRunsOutOfItChangesNothing) {
+  constexpr int D = TypeParam::value;
+  const auto original = complex_of<D>(kuhn_cube<D>(D <= 2 ? 5 : 3));
+  const FacetSet cut = dense_cut(original);
+  std::vector<HalfFacetId> third;
+  for (std::size_t i = 0; i < cut.size(); i += 3) third.push_back(cut.half_facets()[i]);
+  const FacetSet taken_back = FacetSet::of_lesser(third);
+  for (const Verify verify : {Verify::none, Verify::touched, Verify::all}) {
+    Incision<D> incision(original);
+    incision.cut(cut);
+    const auto before = sight_of(incision);
+    const auto still = [&] { EXPECT_EQ(sight_of(incision), before); };
+    Relabelling change;
+    const std::size_t needed =
+        support::run_out_of_memory([&] { change = incision.stitch(taken_back, verify); }, still);
+    EXPECT_GT(needed, 8u);
+    EXPECT_FALSE(change.merges.empty());
+    Incision<D> at_once(original);
+    at_once.cut(cut - taken_back);
+    const auto one = canonical(incision), other = canonical(at_once);
+    for (std::uint32_t c = 0; c < original.half_facet_count(); ++c)
+      ASSERT_EQ(one[incision.complex().vertex({c}).value],
+                other[at_once.complex().vertex({c}).value]);
+
+    // Taken back and done again with ids in use and free ones.
+    const auto after = sight_of(incision);
+    support::run_out_of_memory([&] { incision.undo(verify); },
+                               [&] { EXPECT_EQ(sight_of(incision), after); });
+    const auto undone = sight_of(incision);
+    EXPECT_EQ(undone.opened, before.opened);
+    support::run_out_of_memory([&] { incision.redo(verify); },
+                               [&] { EXPECT_EQ(sight_of(incision), undone); });
+    EXPECT_EQ(incision.shut(), after.shut);
+    EXPECT_EQ(incision.opened(), after.opened);
+  }
+}
+
 /// The most bytes that a cut along all interior facets around the middle vertex of a grid holds.
 template <int D>
 std::size_t most_held(int nodes) {

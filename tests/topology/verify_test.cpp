@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "cleave/topology/incision.hpp"
 #include "cleave/topology/unglue.hpp"
 #include "cleave/topology/violation.hpp"
 #include "view_laws.hpp"
@@ -44,6 +45,43 @@ TYPED_TEST(VerifyTouched, AcceptsWhatHappenedAndRefusesEveryOtherStory) {
     Relabelling told = truth;
     lies[n](told);
     EXPECT_THROW(verify_touched(k, cut, told), InvariantBroken) << "lie " << n;
+  }
+}
+
+TYPED_TEST(VerifyTouched, AcceptsAStitchAndRefusesEveryOtherStory) {
+  constexpr int D = TypeParam::value;
+  Incision<D> incision(complex_of<D>(kuhn_cube<D>(D <= 2 ? 5 : 3)));
+  incision.cut(dense_cut(incision.complex()));
+  const Complex<D> before = incision.complex();
+  std::vector<HalfFacetId> half;
+  for (const OpenedFacet& facet : incision.opened())
+    if (facet.half_facet.value % 2 == 0) half.push_back(facet.half_facet);
+  const Relabelling truth = incision.stitch(FacetSet::of_lesser(half), Verify::none);
+  const Complex<D>& k = incision.complex();
+  ASSERT_GT(truth.merges.size(), 1u);
+  ASSERT_GT(truth.closed.size(), 1u);
+  const FacetSet shut = FacetSet::of_lesser(truth.shut);
+  EXPECT_NO_THROW(verify_touched(k, shut, truth));
+  EXPECT_THROW(verify_touched(before, shut, truth), InvariantBroken);
+
+  const std::vector<std::function<void(Relabelling&)>> lies{
+      [](Relabelling& told) { --told.vertices_after; },
+      [](Relabelling& told) { told.vertices_before = told.vertices_after - 1; },
+      [](Relabelling& told) { told.merges.front().into = told.merges.back().vertex; },
+      [](Relabelling& told) { told.merges.front().vertex = told.merges.front().into; },
+      [](Relabelling& told) { std::swap(told.merges.front(), told.merges.back()); },
+      [](Relabelling& told) {
+        told.splits.push_back({{0}, {0}});
+      },
+      [](Relabelling& told) { std::swap(told.corners.front().from, told.corners.front().to); },
+      [](Relabelling& told) { ++told.corners.front().to.value; },
+      [](Relabelling& told) { told.corners.front().from = told.corners.front().to; },
+      [](Relabelling& told) { told.closed.front().former_mate = told.closed.back().former_mate; },
+      [](Relabelling& told) { told.shut.push_back(HalfFacetId{UINT32_MAX - 1}); }};
+  for (std::size_t n = 0; n < lies.size(); ++n) {
+    Relabelling told = truth;
+    lies[n](told);
+    EXPECT_THROW(verify_touched(k, shut, told), InvariantBroken) << "lie " << n;
   }
 }
 

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <unordered_map>
 
+#include "star_steps.hpp"
+
 namespace cleave::topology {
 namespace {
 
@@ -15,15 +17,11 @@ std::vector<CellId> shortest_chain(const Complex<D>& k, const FacetSet& scored, 
   std::vector<CellId> queue{from};
   for (std::size_t next = 0; next < queue.size() && !reached_from.contains(to); ++next) {
     const CellId cell = queue[next];
-    for (int i = 0; i <= D; ++i) {
-      const HalfFacetId h = half_facet<D>(cell, i);
-      if (k.vertex(h) == vertex)
-        continue;  // corner and half-facet are opposite: h lacks the vertex
-      const auto mate = k.mate(h);
-      if (!mate || scored.contains(std::min(h, *mate))) continue;
-      const CellId neighbour = cell_of<D>(*mate);
+    detail::for_each_step(k, vertex, cell, [&](HalfFacetId h) {
+      if (scored.contains(detail::lesser(k, h))) return;
+      const CellId neighbour = cell_of<D>(*k.mate(h));
       if (reached_from.try_emplace(neighbour, cell).second) queue.push_back(neighbour);
-    }
+    });
   }
 
   if (!reached_from.contains(to)) return {};

@@ -1,12 +1,11 @@
 #pragma once
 #include <boost/graph/adjacency_iterator.hpp>
-#include <boost/graph/graph_traits.hpp>
-#include <boost/graph/properties.hpp>
 #include <boost/iterator/iterator_facade.hpp>
 #include <cstddef>
 #include <utility>
 
 #include "cleave/topology/complex.hpp"
+#include "cleave/topology/graph_traits.hpp"
 #include "cleave/topology/id_range.hpp"
 
 namespace cleave::topology {
@@ -74,25 +73,11 @@ class DualEdgeIterator : public boost::iterator_facade<DualEdgeIterator<D>, Dual
 
 /// What boost::graph_traits reads.
 template <int D>
-struct DualGraphTraits {
-  using vertex_descriptor = CellId;
-  using edge_descriptor = DualEdge;
-  using directed_category = boost::undirected_tag;
-  using edge_parallel_category = boost::disallow_parallel_edge_tag;
-  // NOLINTNEXTLINE(readability-identifier-naming): the name boost::graph_traits asks for
-  struct traversal_category : boost::vertex_list_graph_tag,
-                              boost::incidence_graph_tag,
-                              boost::adjacency_graph_tag,
-                              boost::edge_list_graph_tag {};
-  using vertex_iterator = IdIterator<CellId>;
+struct DualGraphTraits : UndirectedGraphTraits<CellId, DualEdge> {
   using out_edge_iterator = DualEdgeIterator<D>;
   using edge_iterator = DualEdgeIterator<D>;
   using adjacency_iterator =
       typename boost::adjacency_iterator_generator<DualGraph<D>, CellId, out_edge_iterator>::type;
-  using vertices_size_type = std::size_t;
-  using edges_size_type = std::size_t;
-  using degree_size_type = std::size_t;
-  static constexpr CellId null_vertex() { return {UINT32_MAX}; }
 };
 
 template <int D>
@@ -168,7 +153,5 @@ struct boost::graph_traits<cleave::topology::DualGraph<D>> : cleave::topology::D
 };
 
 template <int D>
-struct boost::property_map<cleave::topology::DualGraph<D>, boost::vertex_index_t> {
-  using type = cleave::topology::IdIndexMap<cleave::topology::CellId>;
-  using const_type = type;
-};
+struct boost::property_map<cleave::topology::DualGraph<D>, boost::vertex_index_t>
+    : cleave::topology::VertexIndexMap<cleave::topology::CellId> {};

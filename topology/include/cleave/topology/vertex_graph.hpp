@@ -1,6 +1,4 @@
 #pragma once
-#include <boost/graph/graph_traits.hpp>
-#include <boost/graph/properties.hpp>
 #include <boost/iterator/iterator_facade.hpp>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "cleave/topology/complex.hpp"
+#include "cleave/topology/graph_traits.hpp"
 #include "cleave/topology/id_range.hpp"
 
 namespace cleave::topology {
@@ -130,28 +129,14 @@ inline std::size_t get(boost::vertex_index_t, const VertexGraph&, VertexId verte
 }  // namespace cleave::topology
 
 template <>
-struct boost::graph_traits<cleave::topology::VertexGraph> {
-  using vertex_descriptor = cleave::topology::VertexId;
-  using edge_descriptor = cleave::topology::VertexEdge;
-  using directed_category = boost::undirected_tag;
-  using edge_parallel_category = boost::disallow_parallel_edge_tag;
-  // NOLINTNEXTLINE(readability-identifier-naming): the name boost::graph_traits asks for
-  struct traversal_category : boost::vertex_list_graph_tag,
-                              boost::incidence_graph_tag,
-                              boost::adjacency_graph_tag,
-                              boost::edge_list_graph_tag {};
-  using vertex_iterator = cleave::topology::IdIterator<cleave::topology::VertexId>;
+struct boost::graph_traits<cleave::topology::VertexGraph>
+    : cleave::topology::UndirectedGraphTraits<cleave::topology::VertexId,
+                                              cleave::topology::VertexEdge> {
   using out_edge_iterator = cleave::topology::OutEdgeIterator;
   using edge_iterator = cleave::topology::VertexEdgeIterator;
   using adjacency_iterator = const cleave::topology::VertexId*;
-  using vertices_size_type = std::size_t;
-  using edges_size_type = std::size_t;
-  using degree_size_type = std::size_t;
-  static constexpr vertex_descriptor null_vertex() { return {UINT32_MAX}; }
 };
 
 template <>
-struct boost::property_map<cleave::topology::VertexGraph, boost::vertex_index_t> {
-  using type = cleave::topology::IdIndexMap<cleave::topology::VertexId>;
-  using const_type = type;
-};
+struct boost::property_map<cleave::topology::VertexGraph, boost::vertex_index_t>
+    : cleave::topology::VertexIndexMap<cleave::topology::VertexId> {};
