@@ -87,13 +87,16 @@ InputText::InputText(std::string source, std::string_view bytes)
   std::memcpy(bytes_.get(), bytes.data(), bytes.size());
 }
 
-void InputText::fail(const char* place, const std::string& message) const {
-  const auto line = 1 + std::count(begin(), std::min(place, end()), '\n');
-  throw InputError(source_ + ":" + std::to_string(line) + ": " + message);
+std::string InputText::where(const char* place) const {
+  place = std::min(place, end());
+  const auto before = static_cast<std::size_t>(place - begin());
+  if (before > 0 && std::memchr(begin(), 0, before) != nullptr)
+    return source_ + ": byte " + std::to_string(before);
+  return source_ + ":" + std::to_string(1 + std::count(begin(), place, '\n'));
 }
 
-void InputText::fail_at_byte(const char* place, const std::string& message) const {
-  throw InputError(source_ + ": byte " + std::to_string(place - begin()) + ": " + message);
+void InputText::fail(const char* place, const std::string& message) const {
+  throw InputError(where(place) + ": " + message);
 }
 
 void InputText::fail_format(const std::string& expected) const {

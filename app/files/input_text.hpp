@@ -24,12 +24,12 @@ class InputText {
   const char* begin() const { return bytes_.get(); }
   const char* end() const { return bytes_.get() + size_; }
 
-  /// Throws InputError("SOURCE:LINE: message") for the line that `place`, a position in bytes(), is
-  /// on.
-  [[noreturn]] void fail(const char* place, const std::string& message) const;
+  /// "SOURCE:LINE" for the line that `place`, a position in bytes(), is on; "SOURCE: byte OFFSET"
+  /// if there is binary data, a zero byte, before it.
+  std::string where(const char* place) const;
 
-  /// Throws InputError("SOURCE: byte OFFSET: message"), for a place in binary data.
-  [[noreturn]] void fail_at_byte(const char* place, const std::string& message) const;
+  /// Throws InputError("where(place): message").
+  [[noreturn]] void fail(const char* place, const std::string& message) const;
 
   /// Throws InputError for content that is not of the `expected` format, and says what it looks
   /// like instead.

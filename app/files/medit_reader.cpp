@@ -46,11 +46,15 @@ constexpr std::array kSkippedRows = {"Corners",
 constexpr std::array kSkippedValue = {"Geometry", "Identifier", "AngleOfCornerBound", "Iterations",
                                       "Time"};
 
-/// Elements that are no linear simplices; harmless only where there are none.
-constexpr std::array kRefused = {"Quadrilaterals",   "Hexahedra",   "Hexaedra",    "Prisms",
-                                 "Pentahedra",       "Pyramids",    "EdgesP2",     "TrianglesP2",
-                                 "TetrahedraP2",     "EdgesP3",     "TrianglesP3", "TetrahedraP3",
-                                 "QuadrilateralsQ2", "HexahedraQ2", "PrismsP2",    "PyramidsP2"};
+/// Elements that are no simplices of order 1 or 2; harmless only where there are none.
+constexpr std::array kRefused = {"Quadrilaterals", "Hexahedra",        "Hexaedra",    "Prisms",
+                                 "Pentahedra",     "Pyramids",         "EdgesP3",     "TrianglesP3",
+                                 "TetrahedraP3",   "QuadrilateralsQ2", "HexahedraQ2", "PrismsP2",
+                                 "PyramidsP2"};
+
+/// The sections of elements by dimension, of order 1 and 2.
+constexpr std::array<const char*, 4> kOrder1 = {"Vertices", "Edges", "Triangles", "Tetrahedra"};
+constexpr std::array<const char*, 4> kOrder2 = {"", "EdgesP2", "TrianglesP2", "TetrahedraP2"};
 
 template <std::size_t N>
 bool holds(const std::array<const char*, N>& words, std::string_view word) {
@@ -104,9 +108,9 @@ class MeditReader {
     return number;
   }
 
-  std::size_t count(Row& row, const char* what) {
+  std::size_t count(Row& row, const char* what, std::size_t least = 1) {
     if (row.at_end()) row = rows_.next(what);
-    const std::size_t number = rows_.count(row, what);
+    const std::size_t number = rows_.count(row, what, least);
     row.finish(what);
     return number;
   }
@@ -114,9 +118,10 @@ class MeditReader {
   void read_section(const std::string& keyword, Row& row) {
     if (keyword == "Dimension") return read_dimension(row);
     if (keyword == "Vertices") return read_vertices(row);
-    if (keyword == "Edges") return read_elements(1, row);
-    if (keyword == "Triangles") return read_elements(2, row);
-    if (keyword == "Tetrahedra") return read_elements(3, row);
+    for (std::size_t d = 1; d <= 3; ++d) {
+      if (keyword == kOrder1[d]) return read_elements(d, 0, row);
+      if (keyword == kOrder2[d]) return read_elements(d, d * (d + 1) / 2, row);
+    }
     if (holds(kSkippedRows, keyword)) {
       const std::size_t rows = count(row, "the number of rows");
       for (std::size_t i = 0; i < rows; ++i) rows_.next("a row of the section");
@@ -126,11 +131,12 @@ class MeditReader {
       const Row keyword_row = row;
       if (count(row, "the number of elements") > 0)
         keyword_row.fail(keyword +
-                         " are not linear simplices, the only elements Cleave works on; split "
-                         "them into edges, triangles or tetrahedra first");
+                         " are not simplices of order 1 or 2, the only elements Cleave works on; "
+                         "split them into edges, triangles or tetrahedra first");
     } else {
       row.fail("unknown keyword '" + printable(keyword, 40) +
-               "'; known are Dimension, Vertices, Edges, Triangles, Tetrahedra, End and the "
+               "'; known are Dimension, Vertices, Edges, Triangles, Tetrahedra (and EdgesP2, "
+               "TrianglesP2, TetrahedraP2), End and the "
                "sections that are skipped (Corners, Ridges, Normals, ...)");
     }
   }
@@ -146,7 +152,7 @@ class MeditReader {
   void read_vertices(Row& row) {
     if (!dimension_) row.fail("Vertices before Dimension");
     require_first(0, row);
-    const std::size_t count_of = count(row, "the number of vertices");
+    const std::size_t count_of = count(row, "the number of vertices", 5);
     mesh_.points.reserve(count_of);
     references_[0].reserve(count_of);
     for (std::size_t i = 0; i < count_of; ++i) {
@@ -161,26 +167,32 @@ class MeditReader {
     }
   }
 
-  void read_elements(std::size_t dimension, Row& row) {
+  void read_elements(std::size_t dimension, std::size_t midside_count, Row& row) {
     require_first(dimension, row);
-    const std::size_t count_of = count(row, "the number of elements");
-    std::vector<std::uint32_t>& vertices = mesh_.elements[dimension].vertices;
-    vertices.reserve((dimension + 1) * count_of);
+    const std::size_t count_of =
+        count(row, "the number of elements", 2 * (dimension + 1 + midside_count));
+    Elements& elements = mesh_.elements[dimension];
+    elements.vertices.reserve((dimension + 1) * count_of);
+    elements.midside.resize(midside_count * count_of);
     references_[dimension].reserve(count_of);
     for (std::size_t i = 0; i < count_of; ++i) {
       Row element = rows_.next("an element");
-      for (std::size_t k = 0; k <= dimension; ++k) {
-        const auto number = element.number<std::uint32_t>("the number of a vertex");
-        if (number == 0) element.fail("vertex number 0; vertices are numbered from 1 on");
-        vertices.push_back(number - 1);
-      }
+      for (std::size_t k = 0; k <= dimension; ++k) elements.vertices.push_back(vertex(element));
+      for (std::size_t k = 0; k < midside_count; ++k)
+        elements.midside[midside_count * i + medit_midside(dimension, k)] = vertex(element);
       references_[dimension].push_back(element.number<std::int32_t>("the reference of an element"));
       element.finish("an element");
     }
   }
 
+  static std::uint32_t vertex(Row& element) {
+    const auto number = element.number<std::uint32_t>("the number of a vertex");
+    if (number == 0) element.fail("vertex number 0; vertices are numbered from 1 on");
+    return number - 1;
+  }
+
   void require_first(std::size_t dimension, const Row& row) {
-    if (section_[dimension]) row.fail("a second section of this kind; join the two");
+    if (section_[dimension]) row.fail("a second section of this kind; join the two, in one order");
     section_[dimension] = row;
   }
 
@@ -188,21 +200,27 @@ class MeditReader {
   /// message needs the line, which is found again by walking over the section.
   void check_vertices() const {
     for (std::size_t dimension = 1; dimension <= 3; ++dimension) {
-      const auto& vertices = mesh_.elements[dimension].vertices;
-      const auto bad = std::find_if(vertices.begin(), vertices.end(),
-                                    [&](auto v) { return v >= mesh_.points.size(); });
-      if (bad == vertices.end()) continue;
-      const auto element = static_cast<std::size_t>(bad - vertices.begin()) / (dimension + 1);
-      RowReader rows(text_, section_[dimension]->begin(), text_.end(), '#');
-      Row row = rows.next("a section");
-      row.word();
-      if (row.at_end()) rows.next("a count");
-      for (std::size_t i = 0; i < element; ++i) rows.next("an element");
-      rows.next("an element")
-          .fail(std::string(kKind[dimension]) + " " + std::to_string(element + 1) +
-                " uses vertex " + std::to_string(std::uint64_t{*bad} + 1) + ", but the file has " +
-                std::to_string(mesh_.points.size()) + " vertices");
+      const Elements& elements = mesh_.elements[dimension];
+      check_places(dimension, elements.vertices, dimension + 1);
+      check_places(dimension, elements.midside, dimension * (dimension + 1) / 2);
     }
+  }
+
+  void check_places(std::size_t dimension, const std::vector<std::uint32_t>& places,
+                    std::size_t per_element) const {
+    const auto bad = std::find_if(places.begin(), places.end(),
+                                  [&](auto v) { return v >= mesh_.points.size(); });
+    if (bad == places.end()) return;
+    const auto element = static_cast<std::size_t>(bad - places.begin()) / per_element;
+    RowReader rows(text_, section_[dimension]->begin(), text_.end(), '#');
+    Row row = rows.next("a section");
+    row.word();
+    if (row.at_end()) rows.next("a count");
+    for (std::size_t i = 0; i < element; ++i) rows.next("an element");
+    rows.next("an element")
+        .fail(std::string(kKind[dimension]) + " " + std::to_string(element + 1) + " uses vertex " +
+              std::to_string(std::uint64_t{*bad} + 1) + ", but the file has " +
+              std::to_string(mesh_.points.size()) + " vertices");
   }
 
   void finish() {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <string>
 
 #include "files/group_sets.hpp"
 #include "files/medit.hpp"
@@ -18,13 +19,16 @@ std::vector<Group> groups_of_vertices(const Mesh& mesh) {
   return groups;
 }
 
-void write_elements(TextOutput& out, const char* keyword, const Elements& elements, int dimension,
-                    const std::vector<std::int32_t>& references) {
+void write_elements(TextOutput& out, const std::string& keyword, const Elements& elements,
+                    std::size_t dimension, const std::vector<std::int32_t>& references) {
   if (elements.size() == 0) return;
-  out << keyword << '\n' << elements.size() << '\n';
+  out << keyword << (elements.second_order() ? "P2\n" : "\n") << elements.size() << '\n';
+  const std::size_t edges = elements.second_order() ? dimension * (dimension + 1) / 2 : 0;
   auto vertex = elements.vertices.begin();
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    for (int k = 0; k <= dimension; ++k) out << std::uint64_t{*vertex++} + 1 << ' ';
+    for (std::size_t k = 0; k <= dimension; ++k) out << std::uint64_t{*vertex++} + 1 << ' ';
+    for (std::size_t k = 0; k < edges; ++k)
+      out << std::uint64_t{elements.midside[edges * i + medit_midside(dimension, k)]} + 1 << ' ';
     out << references[i] << '\n';
   }
 }

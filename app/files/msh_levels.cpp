@@ -2,6 +2,8 @@
 #include <map>
 #include <set>
 #include <string>
+#include <unordered_map>
+#include <utility>
 
 #include "error.hpp"
 #include "files/msh_output.hpp"
@@ -87,20 +89,82 @@ MshLevel cohesive_level(const Mesh& mesh, MshLevel& cells) {
   return level;
 }
 
-/// Tags from 1 on for the entities that have elements, those in `taken` left out.
-void number_entities(MshLevel& level, std::set<std::int32_t>& taken) {
+/// The periodic entities of one dimension that each vertex lies on.
+class PeriodicEntities {
+ public:
+  PeriodicEntities(const Mesh& mesh, int dimension) {
+    for (const Periodicity& periodic : mesh.periodic) {
+      if (periodic.dimension != dimension) continue;
+      for (const auto& pair : periodic.pairs) {
+        of_vertex_[pair.vertex].insert(static_cast<std::int32_t>(periodic.entity));
+        of_vertex_[pair.master].insert(static_cast<std::int32_t>(periodic.master));
+      }
+    }
+  }
+  bool any() const { return !of_vertex_.empty(); }
+
+  /// An entity that all `corners` lie on, 0 if there is none.
+  std::int32_t of(const std::uint32_t* corners, std::size_t count) const {
+    const auto first = of_vertex_.find(corners[0]);
+    if (first == of_vertex_.end()) return 0;
+    for (const std::int32_t entity : first->second) {
+      std::size_t k = 1;
+      while (k < count && holds(corners[k], entity)) ++k;
+      if (k == count) return entity;
+    }
+    return 0;
+  }
+
+ private:
+  bool holds(std::uint32_t vertex, std::int32_t entity) const {
+    const auto found = of_vertex_.find(vertex);
+    return found != of_vertex_.end() && found->second.count(entity) > 0;
+  }
+
+  std::unordered_map<std::uint32_t, std::set<std::int32_t>> of_vertex_;
+};
+
+/// Gives the elements on a periodic entity that entity, whose tag gmsh looks for; elements there in
+/// other groups than the first get an entity of their own. Returns the tags that are so fixed, by
+/// place of the set.
+std::map<std::size_t, std::int32_t> keep_periodic(MshLevel& level,
+                                                  const PeriodicEntities& periodic) {
+  std::map<std::size_t, std::int32_t> fixed;
+  std::map<std::pair<std::uint32_t, std::int32_t>, std::uint32_t> refined;
+  std::set<std::int32_t> used;
+  for (std::size_t e = 0; periodic.any() && e < level.count; ++e) {
+    const std::int32_t entity = periodic.of(level.nodes(e), level.kind.corners);
+    if (entity == 0) continue;
+    if (level.kind.dimension == 0) {
+      if (used.insert(entity).second) fixed[e] = entity;
+      continue;
+    }
+    std::uint32_t& set = level.sets.of_element[e];
+    const auto next = static_cast<std::uint32_t>(level.sets.sets.size());
+    const auto [known, is_new] = refined.try_emplace({set, entity}, next);
+    if (is_new) {
+      level.sets.sets.push_back(std::vector<std::size_t>(level.sets.sets[set]));
+      if (used.insert(entity).second) fixed[next] = entity;
+    }
+    set = known->second;
+  }
+  return fixed;
+}
+
+/// Tags from 1 on for the entities that have elements and no fixed tag, those in `taken` left out.
+void number_entities(MshLevel& level, const std::map<std::size_t, std::int32_t>& fixed,
+                     std::set<std::int32_t>& taken) {
   const std::size_t count = level.kind.dimension == 0 ? level.count : level.sets.sets.size();
   std::vector<bool> has_elements(count);
   for (std::size_t e = 0; e < level.count; ++e) has_elements[level.entity_of(e)] = true;
   level.entities.assign(count, 0);
+  for (const auto& [entity, tag] : fixed) level.entities[entity] = tag;
   std::int32_t next = 1;
-  for (std::size_t entity = 0; entity < count; ++entity) {
+  for (std::size_t entity = 0; entity < count; ++entity, ++next) {
     while (!taken.empty() && taken.count(next) > 0) ++next;
-    if (has_elements[entity]) level.entities[entity] = next;
-    ++next;
+    if (has_elements[entity] && level.entities[entity] == 0) level.entities[entity] = next;
   }
-  if (level.kind.dimension > 0)
-    for (const std::int32_t tag : level.entities) taken.insert(tag);
+  if (level.kind.dimension > 0) taken.insert(level.entities.begin(), level.entities.end());
 }
 
 }  // namespace
@@ -126,7 +190,8 @@ std::vector<MshLevel> msh_levels(const Mesh& mesh) {
       taken[static_cast<std::size_t>(periodic.dimension)].insert(static_cast<std::int32_t>(tag));
   for (MshLevel& level : levels) {
     level.sets = group_sets(level.count, level.groups);
-    number_entities(level, taken[static_cast<std::size_t>(level.kind.dimension)]);
+    const auto fixed = keep_periodic(level, PeriodicEntities(mesh, level.kind.dimension));
+    number_entities(level, fixed, taken[static_cast<std::size_t>(level.kind.dimension)]);
   }
   return levels;
 }

@@ -6,8 +6,8 @@
 
 namespace cleave::app {
 
-/// From a file's number of a vertex to its place. Numbers may be anything up to 64 bits: a run of
-/// consecutive ones costs nothing, a dense range a table, others a sorted list.
+/// From a file's number of a vertex or element to its place. Numbers may be anything up to 64 bits:
+/// a run of consecutive ones costs nothing, a dense range a table, others a sorted list.
 class MshNodes {
  public:
   /// Makes the map ready; returns a number that two vertices share if there is one.

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -65,7 +66,8 @@ struct MshNumbers {
 };
 
 /// Elements of one kind and their groups. Those in the same groups form a geometrical entity; a
-/// vertex is an entity of its own, as gmsh wants it.
+/// vertex is an entity of its own, as gmsh wants it. Elements of which all vertices are on one
+/// entity of Mesh::periodic are in that one.
 struct MshLevel {
   MshKind kind{};
   std::size_t count = 0;

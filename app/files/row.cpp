@@ -24,17 +24,21 @@ void Row::fail_field(const char* what, bool integer, bool with_sign, int bits) c
   fail(wanted + " (" + kind + "), found '" + printable(field, kShown) + "'");
 }
 
-std::size_t RowReader::count(Row& row, const char* what) const {
+void check_count(const InputText& text, const char* place, const char* end, std::uint64_t count,
+                 std::size_t least, const char* what) {
+  const std::string claim = std::string(what) + " is " + std::to_string(count);
+  if (count > std::numeric_limits<std::uint32_t>::max())
+    text.fail(place, claim + ": more than 32-bit ids can number (4294967295); split the mesh");
+  const auto bytes_left = static_cast<std::uint64_t>(end - place);
+  if (count * least > bytes_left)
+    text.fail(place, claim + ", but only " + std::to_string(bytes_left) +
+                         " bytes follow; the count is wrong or the file truncated");
+}
+
+std::size_t RowReader::count(Row& row, const char* what, std::size_t least) const {
   const auto count = row.number<std::int64_t>(what);
   if (count < 0) row.fail(std::string(what) + " is negative: " + std::to_string(count));
-  if (count > std::numeric_limits<std::uint32_t>::max())
-    row.fail(std::string(what) + " is " + std::to_string(count) +
-             ": more than 32-bit ids can number (4294967295); split the mesh");
-  const std::ptrdiff_t bytes_left = end_ - row.begin();
-  if (count > bytes_left)
-    row.fail(std::string(what) + " is " + std::to_string(count) + ", but only " +
-             std::to_string(bytes_left) +
-             " bytes follow; the count is wrong or the file truncated");
+  check_count(*text_, row.begin(), end_, static_cast<std::uint64_t>(count), least, what);
   return static_cast<std::size_t>(count);
 }
 

@@ -75,6 +75,11 @@ class Row {
   const char* end_;
 };
 
+/// Requires that `count` rows of at least `least` bytes can follow `place`, the count's, up to
+/// `end` and that 32-bit ids can number them. Throws InputError otherwise.
+void check_count(const InputText& text, const char* place, const char* end, std::uint64_t count,
+                 std::size_t least, const char* what);
+
 /// Walks over the lines of a text from `begin` to `end`, leaving out blank ones and, if a comment
 /// character is given, what follows it on a line. Windows line ends are accepted.
 class RowReader {
@@ -96,10 +101,12 @@ class RowReader {
     return {*text_, row_begin_, row_end_};
   }
 
-  /// Reads a count of rows to come, and makes sure that the text can hold so many and that 32-bit
-  /// ids can number them, so that a count that lies cannot take memory.
-  std::size_t count(Row& row, const char* what) const;
+  /// Reads a count of rows to come, of `least` bytes each, and makes sure that the text can hold so
+  /// many and that 32-bit ids can number them, so that a count that lies cannot take memory.
+  std::size_t count(Row& row, const char* what, std::size_t least = 1) const;
 
+  /// The place after the row that next() returned last.
+  const char* position() const { return at_; }
   const InputText& text() const { return *text_; }
 
  private:

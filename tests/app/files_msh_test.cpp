@@ -55,9 +55,12 @@ TEST_F(Msh, ReadsBothVersionsWithNodeNumbersAboveTwoToThe32) {
 
 TEST_F(Msh, SkipsSectionsThatSayNothingAboutElements) {
   const std::string more =
-      "$Periodic\n1\n0 1 2\n$EndPeriodic\n$NodeData\n1\n\"a $ sign\"\n$EndNodeData\n"
-      "$NodeData\n1\n\"again\"\n$EndNodeData\n";
-  expect_the_mesh(read_mesh(put("a.msh", k22 + more)));
+      "$Parametrizations\n0 0\n$EndParametrizations\n$ElementNodeData\n1\n\"a $ sign\"\n"
+      "$EndElementNodeData\n$ElementNodeData\n1\n\"again\"\n$EndElementNodeData\n";
+  const Mesh mesh = read_mesh(put("a.msh", k22 + more));
+  expect_the_mesh(mesh);
+  ASSERT_EQ(mesh.dropped.size(), 3u);
+  EXPECT_NE(mesh.dropped[0].find("a.msh:24: the section $Parametrizations"), std::string::npos);
   expect_the_mesh(read_mesh(put("a.msh", k41 + "\r\n" + more)));
   expect_the_mesh(read_mesh(put("a.msh", "$Comments\nby hand\n$EndComments\n" + k22)));
 }
@@ -94,7 +97,8 @@ TEST_F(Msh, NamesTheLineOfEveryDefect22) {
     std::string text;
     std::vector<std::string> parts;
   } cases[] = {
-      {with(k22, "2.2 0 8", "2.2 1 8"), {"a.msh:2:", "binary", "convert it with `gmsh"}},
+      {with(k22, "2.2 0 8", "2.2 1 8"), {"a.msh:2:", "binary number 1", "does not follow"}},
+      {with(k22, "2.2 0 8", "2.2 2 8"), {"a.msh:2:", "0 (text) or 1 (binary)"}},
       {with(k22, "2.2 0 8", "1.0 0 8"), {"a.msh:2:", "version 1.0", "2.2 and 4.1"}},
       {with(k22, "2.2 0 8", "4 0 8"), {"a.msh:2:", "version 4 "}},
       {with(k22, "$EndMeshFormat", "$End"), {"a.msh:3:", "expected $EndMeshFormat"}},
@@ -110,8 +114,12 @@ TEST_F(Msh, NamesTheLineOfEveryDefect22) {
       {with(k22, "1 2 3 4\n4", "1 2 3 77\n4"), {"a.msh:21:", "element 3 uses node 77", "$Nodes"}},
       {with(k22, "4 4 3 1", "3 4 3 1"), {"a.msh:22:", "element number 3", "second time"}},
       {with(k22, "3 4 2 1", "3 5 2 1"), {"a.msh:21:", "element 3 is a 8-node hexahedron (type 5)"}},
-      {with(k22, "3 4 2 1", "3 11 2 1"),
-       {"a.msh:21:", "10-node second order tetrahedron", "Mesh.ElementOrder"}},
+      {with(k22, "3 4 2 1 1 1 2 3 4", "3 11 2 1 1 1 2 3 4 1 2 3 4 1 2"),
+       {"a.msh:22:", "element 4 is a 4-node tetrahedron", "the other order"}},
+      {with(k22, "3 4 2 1", "3 29 2 1"), {"a.msh:21:", "third order tetrahedron", "ElementOrder"}},
+      {with(k22, "3 4 2 1 1 1", "3 3 2 1 1 1"), {"a.msh:21:", "element 3 is a 4-node quadrangle"}},
+      {with(k22, "2 2 2 7 3 1 2 3\n", "2 6 2 7 3 1 2 3 1 2 4\n"),
+       {"a.msh:20:", "element 2 is a 6-node prism", "two sides are at the same place"}},
       {with(k22, "3 4 2 1", "3 99 2 1"), {"a.msh:21:", "(type 99)"}},
       {with(k22, "3 4 2 1", "3 4 -2 1"), {"a.msh:21:", "the number of tags"}},
       {with(k22, "$Elements\n4", "$Elements\n3"), {"a.msh:22:", "more elements than"}},

@@ -2,9 +2,12 @@
 
     files_oracle.py dump FILE     prints the mesh that meshio reads
     files_oracle.py make FOLDER   writes one mesh in every format, and FOLDER/expected
+    files_oracle.py gmsh FILE     prints the periodic nodes and the fields that gmsh reads
+    files_oracle.py box FOLDER    has gmsh write a periodic box of second order in every form
 
 A mesh is printed as one line per point (the bits of its coordinates) and one per element, by
-dimension, then in file order: dimension, vertices from 0 on, group.
+dimension, then in file order: dimension, vertices from 0 on, group. Cohesive elements count as
+dimension 4. Nodes of second order are in meshio's order, which is VTK's.
 """
 
 import contextlib
@@ -16,6 +19,7 @@ import meshio
 import numpy
 
 DIMENSION = {"vertex": 0, "line": 1, "triangle": 2, "tetra": 3}
+DIMENSION |= {"line3": 1, "triangle6": 2, "tetra10": 3, "wedge": 4, "quad": 4}
 GROUP_NAMES = ("medit:ref", "gmsh:physical", "group")
 
 
@@ -23,7 +27,7 @@ def dump(mesh, out):
     for point in mesh.points:
         bits = [struct.pack(">d", float(x)).hex() for x in [*point, 0.0][:3]]
         print("point", *bits, file=out)
-    rows = [[] for _ in range(4)]
+    rows = [[] for _ in range(5)]
     arrays = [mesh.cell_data[name] for name in GROUP_NAMES if name in mesh.cell_data]
     for i, block in enumerate(mesh.cells):
         groups = arrays[0][i] if arrays else [0] * len(block.data)
@@ -32,7 +36,7 @@ def dump(mesh, out):
     for vertex, group in enumerate(mesh.point_data.get("medit:ref", [])):
         if group != 0:
             rows[0].append((vertex, group))
-    for dimension in range(4):
+    for dimension in range(5):
         for row in rows[dimension]:
             print(dimension, *(int(x) for x in row), file=out)
 
@@ -57,9 +61,11 @@ def make(folder):
     gmsh_names = ("gmsh:physical", "gmsh:geometrical")
     meshio.write(f"{folder}/a.mesh", mesh("medit:ref"), file_format="medit")
     meshio.write(f"{folder}/22.msh", mesh(*gmsh_names), file_format="gmsh22", binary=False)
+    meshio.write(f"{folder}/22b.msh", mesh(*gmsh_names), file_format="gmsh22", binary=True)
     entities = mesh(*gmsh_names)
     entities.point_data["gmsh:dim_tags"] = numpy.array([[3, 1]] * len(points))
     meshio.write(f"{folder}/41.msh", entities, file_format="gmsh", binary=False)
+    meshio.write(f"{folder}/41b.msh", entities, file_format="gmsh", binary=True)
     meshio.write(f"{folder}/zlib.vtu", mesh("group"), file_format="vtu", compression="zlib")
     meshio.write(f"{folder}/raw.vtu", mesh("group"), file_format="vtu", compression=None)
     meshio.write(f"{folder}/42.vtk", mesh("group"), file_format="vtk42")
@@ -69,16 +75,71 @@ def make(folder):
         dump(mesh("group"), expected)
 
 
+def gmsh_dump(path):
+    import gmsh
+
+    gmsh.initialize()
+    gmsh.option.setNumber("General.Verbosity", 1)
+    gmsh.open(path)
+    lines = []
+    for dimension, tag in gmsh.model.getEntities():
+        master, nodes, masters, affine = gmsh.model.mesh.getPeriodicNodes(dimension, tag)
+        if len(nodes) > 0:
+            lines.append(f"periodic {dimension} {tag} {master} {len(affine)}")
+            lines += [f"{a} {b}" for a, b in sorted(zip(nodes, masters))]
+    for view in gmsh.view.getTags():
+        name = gmsh.option.getString(f"View[{gmsh.view.getIndex(view)}].Name")
+        kind, tags, data, _, components = gmsh.view.getModelData(view, 0)
+        lines.append(f"{kind} {name} {components}")
+        lines += [f"{tag} " + " ".join(f"{x:.17g}" for x in row)
+                  for tag, row in zip(tags, data) if not numpy.isnan(row).all()]
+    gmsh.finalize()
+    return lines
+
+
+def gmsh_box(folder):
+    import gmsh
+
+    gmsh.initialize()
+    gmsh.option.setNumber("General.Verbosity", 1)
+    geometry = gmsh.model.geo
+    corners = [geometry.addPoint(x, y, 0, 0.9) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    sides = [geometry.addLine(corners[i], corners[(i + 1) % 4]) for i in range(4)]
+    floor = geometry.addPlaneSurface([geometry.addCurveLoop(sides)])
+    roof = geometry.extrude([(2, floor)], 0, 0, 1)[0][1]
+    geometry.synchronize()
+    up = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1]
+    gmsh.model.mesh.setPeriodic(2, [roof], [floor], up)
+    gmsh.model.addPhysicalGroup(3, [1], 1)
+    gmsh.model.addPhysicalGroup(2, [floor], 2)
+    gmsh.model.addPhysicalGroup(2, [roof], 3)
+    gmsh.option.setNumber("Mesh.ElementOrder", 2)
+    gmsh.model.mesh.generate(3)
+    for version in (2.2, 4.1):
+        for binary in (0, 1):
+            gmsh.option.setNumber("Mesh.MshFileVersion", version)
+            gmsh.option.setNumber("Mesh.Binary", binary)
+            gmsh.write(f"{folder}/{version}-{binary}.msh")
+    gmsh.write(f"{folder}/box.mesh")
+    gmsh.finalize()
+
+
 def main():
     command, path = sys.argv[1:]
     chatter = io.StringIO()  # meshio prints advice
     with contextlib.redirect_stdout(chatter):
         if command == "make":
             make(path)
+        elif command == "box":
+            gmsh_box(path)
+        elif command == "gmsh":
+            lines = gmsh_dump(path)
         else:
             mesh = meshio.read(path)
     if command == "dump":
         dump(mesh, sys.stdout)
+    if command == "gmsh":
+        print("\n".join(lines))
 
 
 main()

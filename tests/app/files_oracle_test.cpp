@@ -33,8 +33,18 @@ std::string dump(const Mesh& mesh) {
     for (std::size_t e = 0; e < elements.size(); ++e) {
       out << d;
       for (std::size_t k = 0; k <= d; ++k) out << ' ' << elements.vertices[(d + 1) * e + k];
+      const std::size_t edges = d * (d + 1) / 2;
+      // VTK's order: (0,1) (1,2) (2,0) (0,3) (1,3) (2,3).
+      const std::size_t order[] = {0, d == 3 ? 3u : 2u, 1, 2, 4, 5};
+      for (std::size_t k = 0; elements.second_order() && k < edges; ++k)
+        out << ' ' << elements.midside[edges * e + order[k]];
       out << ' ' << tags[e] << '\n';
     }
+  }
+  for (std::size_t e = 0; e < mesh.cohesive.size(); ++e) {
+    out << 4;
+    for (std::size_t k = 0; k < 6; ++k) out << ' ' << mesh.cohesive.vertices[6 * e + k];
+    out << " 1\n";
   }
   return out.str();
 }
@@ -64,6 +74,11 @@ std::vector<std::string> elements_of(const Mesh& mesh, bool numbers) {
         if (numbers) text << ' ' << mesh.vertex_numbers[v];
         text << " (" << point[0] << ' ' << point[1] << ' ' << point[2] << ')';
       }
+      const std::size_t edges = elements.second_order() ? d * (d + 1) / 2 : 0;
+      for (std::size_t k = 0; k < edges; ++k) {
+        const auto& point = mesh.points[elements.midside[edges * e + k]];
+        text << " [" << point[0] << ' ' << point[1] << ' ' << point[2] << ']';
+      }
       for (const Group& group : mesh.groups)
         if (group.dimension == static_cast<int>(d) &&
             std::count(group.elements.begin(), group.elements.end(), e) > 0)
@@ -92,22 +107,147 @@ TEST_F(Oracle, MeshioReadsWhatWeWrite) {
   Mesh mesh = plainly_grouped_mesh();
   mesh.point_fields = {{"parent", 1, std::vector<double>(mesh.points.size(), 5e9), true}};
   mesh.cell_fields = {{"piece", 1, std::vector<double>(mesh.cells().size(), 1.0), true}};
-  for (const std::string name : {"a.mesh", "22.msh", "41.msh", "a.vtu", "a.vtk"}) {
+  for (const std::string name :
+       {"a.mesh", "22.msh", "22b.msh", "41.msh", "41b.msh", "a.vtu", "a.vtk"}) {
     SCOPED_TRACE(name);
     Mesh written = mesh;
-    written.msh_version = name == "22.msh" ? MshVersion::k22 : MshVersion::k41;
+    written.msh_version = name[0] == '2' ? MshVersion::k22 : MshVersion::k41;
+    written.msh_binary = name.find('b') == 2;
     // meshio 5.0 takes every block of a 2.2 file to have two elements when it reads $ElementData.
-    if (name == "22.msh") written.cell_fields.clear();
+    if (name[0] == '2') written.cell_fields.clear();
     write_mesh(path(name), written);
     ASSERT_NO_FATAL_FAILURE(meshio("dump " + at(name) + " > " + at("dump")));
     EXPECT_EQ(bytes("dump"), dump(mesh));
   }
 }
 
+TEST_F(Oracle, MeshioReadsSecondOrderAndCohesiveElements) {
+  for (const Mesh& mesh : {second_order(plainly_grouped_mesh()), cohesive_mesh()}) {
+    for (const MshVersion version : {MshVersion::k22, MshVersion::k41}) {
+      for (const bool binary : {false, true}) {
+        SCOPED_TRACE(std::string(version == MshVersion::k22 ? "2.2" : "4.1") +
+                     (binary ? " binary" : " text"));
+        write_mesh(path("a.msh"), mesh, {version, binary});
+        ASSERT_NO_FATAL_FAILURE(meshio("dump " + at("a.msh") + " > " + at("dump")));
+        EXPECT_EQ(bytes("dump"), dump(mesh));
+      }
+    }
+  }
+}
+
+/// What files_oracle.py prints of gmsh's periodic nodes and fields.
+std::string dump_for_gmsh(const Mesh& mesh) {
+  std::ostringstream out;
+  for (const Periodicity& periodic : mesh.periodic) {
+    out << "periodic " << periodic.dimension << ' ' << periodic.entity << ' ' << periodic.master
+        << ' ' << periodic.affine.size() << '\n';
+    for (const auto& pair : periodic.pairs)
+      out << mesh.vertex_numbers[pair.vertex] << ' ' << mesh.vertex_numbers[pair.master] << '\n';
+  }
+  const auto values = [&](const Field& field, const std::vector<std::uint64_t>& numbers) {
+    const auto size = static_cast<std::size_t>(field.components);
+    for (std::size_t i = 0; i < field.values.size(); ++i)
+      out << (i % size == 0 ? std::to_string(numbers[i / size]) : "") << ' ' << field.values[i]
+          << (i % size == size - 1 ? "\n" : "");
+  };
+  for (const Field& field : mesh.point_fields) {
+    out << "NodeData " << field.name << ' ' << field.components << '\n';
+    values(field, mesh.vertex_numbers);
+  }
+  for (const Field& field : mesh.cell_fields) {
+    out << "ElementData " << field.name << ' ' << field.components << '\n';
+    values(mesh.facet_fields[0], mesh.facets().numbers);
+    values(field, mesh.cells().numbers);
+  }
+  return out.str();
+}
+
+TEST_F(Oracle, GmshReadsOurPeriodicPairsAndFields) {
+  Mesh mesh = plainly_grouped_mesh();
+  mesh.periodic = {
+      {1, 9, 3, {}, {{0, 1}, {3, 3}}},
+      {2, 12, 4, {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {{0, 3}, {1, 4}, {2, 5}}}};
+  mesh.point_fields = {{"u", 3, std::vector<double>(18, 0.5)}, {"p q", 1, {1, 2, 3, 4, 5, 6}}};
+  mesh.cell_fields = {{"piece", 1, {1, 2, 7}}};
+  mesh.facet_fields = {{"piece", 1, {8, 9}}};
+  for (const bool binary : {false, true}) {
+    write_mesh(path("a.msh"), mesh, {MshVersion::k41, binary});
+    ASSERT_NO_FATAL_FAILURE(meshio("gmsh " + at("a.msh") + " > " + at("dump")));
+    EXPECT_EQ(bytes("dump"), dump_for_gmsh(mesh)) << binary;
+  }
+  // Of a 2.2 file gmsh knows the entities that have elements only.
+  mesh.periodic = {{2, 12, 4, {}, {{0, 3}, {1, 1}, {2, 2}, {3, 0}}}};
+  for (const bool binary : {false, true}) {
+    write_mesh(path("a.msh"), mesh, {MshVersion::k22, binary});
+    EXPECT_EQ(read_mesh(path("a.msh")).periodic.size(), 1u);
+    ASSERT_NO_FATAL_FAILURE(meshio("gmsh " + at("a.msh") + " > " + at("dump")));
+    mesh.periodic.clear();
+    EXPECT_NE(bytes("dump").find(dump_for_gmsh(mesh)), std::string::npos) << binary;
+    mesh.periodic = {{2, 12, 4, {}, {{0, 3}, {1, 1}, {2, 2}, {3, 0}}}};
+  }
+}
+
+TEST_F(Oracle, WeReadGmshsPeriodicBoxOfSecondOrder) {
+  ASSERT_NO_FATAL_FAILURE(meshio("box " + at("")));
+  const Mesh text = read_mesh(path("4.1-0.msh"));
+  EXPECT_TRUE(text.cells().second_order() && text.facets().second_order());
+  ASSERT_EQ(text.periodic.size(), 9u);
+  for (const Periodicity& periodic : text.periodic) {
+    ASSERT_EQ(periodic.affine.size(), 16u);
+    for (const auto& pair : periodic.pairs)
+      EXPECT_NEAR(text.points[pair.vertex][2], text.points[pair.master][2] + 1, 1e-14);
+  }
+  const auto expect_same_up_to_digits = [](Mesh binary, const Mesh& other) {
+    ASSERT_EQ(binary.points.size(), other.points.size());
+    for (std::size_t v = 0; v < other.points.size(); ++v)
+      for (std::size_t x = 0; x < 3; ++x)  // gmsh writes 16 digits in text
+        EXPECT_NEAR(binary.points[v][x], other.points[v][x], 1e-15);
+    binary.points = other.points;
+    expect_same_content(binary, other);
+  };
+  expect_same_up_to_digits(read_mesh(path("4.1-1.msh")), text);
+  const Mesh text22 = read_mesh(path("2.2-0.msh"));
+  expect_same_up_to_digits(read_mesh(path("2.2-1.msh")), text22);
+  EXPECT_EQ(text22.cells().midside, text.cells().midside);
+  ASSERT_EQ(text22.periodic.size(), 1u);
+  const Mesh medit = read_mesh(path("box.mesh"));
+  EXPECT_EQ(medit.cells().midside, text.cells().midside);
+  for (std::size_t e = 0; e < text.cells().size(); ++e) {  // midside nodes are in the middle
+    std::size_t edge = 6 * e;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = i + 1; k < 4; ++k, ++edge)
+        for (std::size_t x = 0; x < 3; ++x)
+          EXPECT_NEAR(text.points[text.cells().midside[edge]][x],
+                      (text.points[text.cells().vertices[4 * e + i]][x] +
+                       text.points[text.cells().vertices[4 * e + k]][x]) /
+                          2,
+                      1e-12);
+  }
+  // There and back: gmsh finds our entities and reads the same pairs.
+  write_mesh(path("ours.msh"), text);
+  for (const char* name : {"4.1-0.msh", "ours.msh"})
+    ASSERT_NO_FATAL_FAILURE(meshio("gmsh " + at(name) + " > " + at(name) + ".dump"));
+  EXPECT_EQ(bytes("ours.msh.dump"), bytes("4.1-0.msh.dump"));
+}
+
+TEST_F(Oracle, GmshReadsOurMeditFileOfSecondOrder) {
+  ASSERT_NO_FATAL_FAILURE(meshio("box " + at("")));
+  Mesh mesh = read_mesh(path("4.1-0.msh"));
+  mesh.periodic.clear();
+  mesh.groups.clear();
+  write_mesh(path("ours.mesh"), mesh);
+  ASSERT_NO_FATAL_FAILURE(
+      gmsh(at("ours.mesh") + " -save -save_all -format msh41 -bin -o " + at("theirs.msh")));
+  Mesh theirs = read_mesh(path("theirs.msh"));
+  EXPECT_TRUE(theirs.msh_binary);
+  theirs.groups.clear();
+  EXPECT_EQ(elements_of(theirs, false), elements_of(mesh, false));
+}
+
 TEST_F(Oracle, WeReadWhatMeshioWrites) {
   ASSERT_NO_FATAL_FAILURE(meshio("make " + at("")));
   for (const char* name :
-       {"a.mesh", "22.msh", "zlib.vtu", "raw.vtu", "42.vtk", "text.vtk", "51.vtk"}) {
+       {"a.mesh", "22.msh", "22b.msh", "zlib.vtu", "raw.vtu", "42.vtk", "text.vtk", "51.vtk"}) {
     SCOPED_TRACE(name);
     Mesh mesh = read_mesh(path(name));
     if (name == std::string("a.mesh")) {  // meshio gives every vertex the reference 1
@@ -124,21 +264,25 @@ TEST_F(Oracle, WeReadWhatMeshioWrites) {
   mesh.groups.clear();
   without_groups.groups.clear();
   EXPECT_EQ(dump(without_groups), dump(mesh));
+  EXPECT_EQ(dump(read_mesh(path("41b.msh"))), dump(read_mesh(path("41.msh"))));
 }
 
 TEST_F(Oracle, GmshKeepsWhatWeWrite) {
   for (const MshVersion version : {MshVersion::k22, MshVersion::k41}) {
     // gmsh reads the 2.2 rows of an element in two groups as two elements, its own files' too.
-    Mesh mesh = version == MshVersion::k41 ? grouped_mesh() : plainly_grouped_mesh();
-    mesh.vertex_numbers = {10, 2, 35, 4, 50, 6};
+    Mesh mesh = second_order(version == MshVersion::k41 ? grouped_mesh() : plainly_grouped_mesh());
+    const std::vector<std::uint64_t> numbers_of_corners = {10, 2, 35, 4, 50, 60};
+    std::copy(numbers_of_corners.begin(), numbers_of_corners.end(), mesh.vertex_numbers.begin());
+    for (std::size_t v = 6; v < mesh.points.size(); ++v) mesh.vertex_numbers[v] = 100 + v;
     mesh.msh_version = version;
+    mesh.msh_binary = version == MshVersion::k22;
     write_mesh(path("ours.msh"), mesh);
-    for (const std::string format : {"msh41", "msh22"}) {
+    for (const std::string format : {"msh41", "msh22", "msh41 -bin", "msh22 -bin"}) {
       SCOPED_TRACE(format);
       ASSERT_NO_FATAL_FAILURE(
           gmsh(at("ours.msh") + " -save -format " + format + " -o " + at("theirs.msh")));
       // gmsh renumbers when it writes version 2.2.
-      const bool numbers = format == "msh41";
+      const bool numbers = format.substr(0, 5) == "msh41";
       EXPECT_EQ(elements_of(read_mesh(path("theirs.msh")), numbers), elements_of(mesh, numbers));
     }
   }

@@ -3,9 +3,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <sstream>
+#include <tuple>
 
 #include "error.hpp"
 #include "mesh_file.hpp"
@@ -92,12 +95,63 @@ Mesh grouped_mesh() {
   return mesh;
 }
 
+Mesh second_order(Mesh mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+  for (std::size_t d = 1; d <= 3; ++d) {
+    Elements& elements = mesh.elements[d];
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      for (std::size_t i = 0; i < d; ++i) {
+        for (std::size_t k = i + 1; k <= d; ++k) {
+          const std::uint32_t from = elements.vertices[(d + 1) * e + i];
+          const std::uint32_t to = elements.vertices[(d + 1) * e + k];
+          const auto [known, is_new] = middles.try_emplace(
+              std::minmax(from, to), static_cast<std::uint32_t>(mesh.points.size()));
+          if (is_new) {
+            const auto a = mesh.points[from], b = mesh.points[to];
+            const auto middle = [&](std::size_t x) {  // gmsh writes 16 digits
+              return std::round(512 * (a[x] + b[x])) / 1024;
+            };
+            mesh.points.push_back({middle(0), middle(1), middle(2)});
+            mesh.vertex_numbers.push_back(mesh.points.size());
+          }
+          elements.midside.push_back(known->second);
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+Mesh cohesive_mesh() {
+  Mesh mesh;
+  mesh.dimension = 3;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0},
+                 {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};
+  mesh.vertex_numbers = counted(1, 8);
+  mesh.elements[3] = {{0, 2, 1, 7, 3, 4, 5, 6}, counted(1, 2)};
+  mesh.cohesive = {{0, 1, 2, 3, 4, 5}, {3}, {"glue"}};
+  mesh.groups = {{"body", 3, 4, {0, 1}}};
+  return mesh;
+}
+
 void expect_same_content(const Mesh& a, const Mesh& b) {
   EXPECT_EQ(a.dimension, b.dimension);
   ASSERT_EQ(a.points.size(), b.points.size());
   EXPECT_EQ(std::memcmp(a.points.data(), b.points.data(), a.points.size() * sizeof a.points[0]), 0);
   for (std::size_t d = 0; d <= 3; ++d)
     EXPECT_EQ(a.elements[d].vertices, b.elements[d].vertices) << "dimension " << d;
+  for (std::size_t d = 0; d <= 3; ++d)
+    EXPECT_EQ(a.elements[d].midside, b.elements[d].midside) << "dimension " << d;
+  EXPECT_EQ(a.cohesive.vertices, b.cohesive.vertices);
+  EXPECT_EQ(a.cohesive.names, b.cohesive.names);
+  ASSERT_EQ(a.periodic.size(), b.periodic.size());
+  for (std::size_t i = 0; i < a.periodic.size(); ++i) {
+    const Periodicity &p = a.periodic[i], &q = b.periodic[i];
+    EXPECT_EQ(std::tie(p.dimension, p.entity, p.master, p.affine),
+              std::tie(q.dimension, q.entity, q.master, q.affine));
+    const auto same = [](auto x, auto y) { return x.vertex == y.vertex && x.master == y.master; };
+    EXPECT_TRUE(std::equal(p.pairs.begin(), p.pairs.end(), q.pairs.begin(), q.pairs.end(), same));
+  }
   ASSERT_EQ(a.groups.size(), b.groups.size());
   for (std::size_t g = 0; g < a.groups.size(); ++g) {
     EXPECT_EQ(a.groups[g].name, b.groups[g].name);
@@ -111,6 +165,7 @@ void expect_same_numbers(const Mesh& a, const Mesh& b) {
   EXPECT_EQ(a.vertex_numbers, b.vertex_numbers);
   for (std::size_t d = 0; d <= 3; ++d)
     EXPECT_EQ(a.elements[d].numbers, b.elements[d].numbers) << "dimension " << d;
+  EXPECT_EQ(a.cohesive.numbers, b.cohesive.numbers);
 }
 
 void expect_same_fields(const std::vector<Field>& a, const std::vector<Field>& b) {
@@ -129,7 +184,15 @@ void expect_valid_places(const Mesh& mesh) {
     const Elements& elements = mesh.elements[d];
     EXPECT_EQ(elements.vertices.size(), (d + 1) * elements.size());
     for (const std::uint32_t v : elements.vertices) EXPECT_LT(v, mesh.points.size());
+    if (elements.second_order()) {
+      EXPECT_EQ(elements.midside.size(), d * (d + 1) / 2 * elements.size());
+    }
+    for (const std::uint32_t v : elements.midside) EXPECT_LT(v, mesh.points.size());
   }
+  for (const std::uint32_t v : mesh.cohesive.vertices) EXPECT_LT(v, mesh.points.size());
+  for (const Periodicity& periodic : mesh.periodic)
+    for (const auto& pair : periodic.pairs)
+      EXPECT_LT(std::max(pair.vertex, pair.master), mesh.points.size());
   for (const Group& group : mesh.groups) {
     ASSERT_GE(group.dimension, 0);
     ASSERT_LE(group.dimension, 3);

@@ -37,8 +37,14 @@ void expect_reading_error(const std::filesystem::path& path, const std::vector<s
 /// one without elements. Numbers as a .msh file may have them, consecutive from 1 on.
 Mesh grouped_mesh();
 
-/// Expects the same points (bit for bit), elements, order and groups; numbers and fields are not
-/// compared.
+/// The mesh with a node near the middle of each edge of its elements.
+Mesh second_order(Mesh mesh);
+
+/// Two tetrahedra with a prism of no thickness between them, in the group "glue".
+Mesh cohesive_mesh();
+
+/// Expects the same points (bit for bit), elements, order, groups, cohesive elements and periodic
+/// pairs; numbers and fields are not compared.
 void expect_same_content(const Mesh& a, const Mesh& b);
 void expect_same_numbers(const Mesh& a, const Mesh& b);
 void expect_same_fields(const std::vector<Field>& a, const std::vector<Field>& b);
