@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 void add_check_command(CLI::App& cleave, Action& chosen);
 void add_cut_command(CLI::App& cleave, Action& chosen);
 void add_run_command(CLI::App& cleave, Action& chosen);
+void add_reduce_command(CLI::App& cleave, Action& chosen);
 
 /// Does `action` and turns what it throws into a message on stderr and an exit status: InputError,
 /// OutputError, too many cells and too little memory into kBadInput; anything else, which is a

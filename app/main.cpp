@@ -12,10 +12,17 @@ int wrong_usage(const CLI::App& cleave, const CLI::ParseError& error) {
   const auto commands = cleave.get_subcommands();
   const auto rest = cleave.remaining();
   std::cerr << "cleave: error: ";
-  if (commands.empty() && !rest.empty())
-    std::cerr << "there is no command '" << rest.front() << "'; there are check, cut and run\n";
-  else
+  if (commands.empty() && !rest.empty()) {
+    std::cerr << "there is no command '" << rest.front() << "'; there are ";
+    const char* before = "";
+    for (const CLI::App* command : cleave.get_subcommands([](const CLI::App*) { return true; })) {
+      std::cerr << before << command->get_name();
+      before = ", ";
+    }
+    std::cerr << '\n';
+  } else {
     std::cerr << error.what() << '\n';
+  }
   std::cerr << "`cleave " << (commands.empty() ? "" : commands.front()->get_name() + " ")
             << "--help` shows what can be given\n";
   return cleave::app::kUsage;
@@ -36,6 +43,7 @@ int main(int argc, char** argv) {
   add_check_command(cleave, chosen);
   add_cut_command(cleave, chosen);
   add_run_command(cleave, chosen);
+  add_reduce_command(cleave, chosen);
   try {
     cleave.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

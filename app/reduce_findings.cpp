@@ -1,0 +1,66 @@
+#include "reduce_findings.hpp"
+
+#include <algorithm>
+
+namespace cleave::app {
+namespace {
+
+std::vector<std::uint64_t> numbers_in(const WitnessValue& value) {
+  if (const auto* one = std::get_if<std::uint64_t>(&value)) return {*one};
+  if (const auto* several = std::get_if<std::vector<std::uint64_t>>(&value)) return *several;
+  return {};
+}
+
+// The places of the numbers that the witness has under one of these keys.
+std::vector<std::uint32_t> places(const Finding& finding, const std::set<std::string>& keys,
+                                  const std::unordered_map<std::uint64_t, std::uint32_t>& at) {
+  std::vector<std::uint32_t> result;
+  for (const auto& [key, value] : finding.witness) {
+    if (keys.count(key) == 0) continue;
+    for (const std::uint64_t number : numbers_in(value)) {
+      const auto found = at.find(number);
+      if (found != at.end()) result.push_back(found->second);
+    }
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+}  // namespace
+
+KnownFindings::KnownFindings(const Mesh& mesh, topology::Level required)
+    : required_(required), report_(check_mesh(mesh, required)) {
+  for (const Finding& finding : report_.findings) rules_.insert(finding.rule);
+  for (std::uint32_t v = 0; v < mesh.vertex_numbers.size(); ++v)
+    vertex_at_.emplace(mesh.vertex_numbers[v], v);
+  for (std::uint32_t c = 0; c < mesh.cells().size(); ++c)
+    cell_at_.emplace(mesh.cells().numbers[c], c);
+}
+
+std::vector<Finding> KnownFindings::of(const SubMesh& part) const {
+  return check_mesh(part.mesh, required_).findings;
+}
+
+std::vector<std::uint32_t> KnownFindings::vertices(const Finding& finding) const {
+  return places(finding, {"vertex", "vertices", "edge", "facet"}, vertex_at_);
+}
+
+std::vector<std::uint32_t> KnownFindings::cells(const Finding& finding) const {
+  return places(finding, {"cell", "cells"}, cell_at_);
+}
+
+std::vector<std::uint32_t> KnownFindings::blame(const std::vector<Finding>& findings,
+                                                bool& any) const {
+  any = false;
+  std::vector<std::uint32_t> all;
+  for (const Finding& finding : findings) {
+    if (has_rule(finding.rule)) continue;
+    any = true;
+    const auto some = vertices(finding);
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+}  // namespace cleave::app
