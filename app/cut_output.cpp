@@ -180,7 +180,7 @@ CutOutput cut_output(const Body<D>& body, const Incision<D>& incision,
   carry_cells(renaming, nodes, output);
   carry_elements(renaming, {std::move(images), std::move(nodes)}, incision, asked, output);
   carry_fields(body, incision, numbering, output);
-  carry_periodic(body, output);
+  carry_periodic(body, incision, output);
   return output;
 }
 

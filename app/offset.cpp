@@ -71,6 +71,13 @@ double volume(const Corners<D>& p) {
          a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
+// To three digits.
+double rounded_down(double x) {
+  if (!(x > 0)) return 0;
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 2);
+  return std::floor(x / unit) * unit;
+}
+
 template <int D>
 class Mover {
  public:
@@ -158,7 +165,7 @@ class Mover {
     output_.warnings.push_back(fmt::format(
         "the offset {:g} turns {} inside out, such as cell {}; the largest that turns none is "
         "about {:.3g}",
-        distance_, counted(inverted, "cell"), cell_number(mesh_, {first}), 0.999 * safe));
+        distance_, counted(inverted, "cell"), cell_number(mesh_, {first}), rounded_down(safe)));
   }
 
   // The least offset at which cell `c` is flat, or the whole distance: the volume is a polynomial

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numeric>
 #include <optional>
 
@@ -12,6 +11,7 @@
 #include "element_images.hpp"
 #include "error.hpp"
 #include "file_words.hpp"
+#include "star_cut.hpp"
 
 namespace cleave::app {
 
@@ -48,8 +48,12 @@ struct FacetPlaces {
 template <int D>
 class PairCarrier {
  public:
-  PairCarrier(const Body<D>& body, CutOutput& output)
-      : body_(body), mesh_(*body.mesh), output_(output), component_(output.origin.size()) {
+  PairCarrier(const Body<D>& body, const topology::FacetSet& scored, CutOutput& output)
+      : body_(body),
+        mesh_(*body.mesh),
+        scored_(scored),
+        output_(output),
+        component_(output.origin.size()) {
     for (std::uint32_t h = 0; h < body.complex.half_facet_count(); ++h)
       if (!body.complex.is_interior({h})) boundary_.push_back({h});
     for (std::uint32_t place = 0; place < output.origin.size(); ++place)
@@ -161,23 +165,20 @@ class PairCarrier {
     }
     std::sort(links.begin(), links.end());
     links.erase(std::unique(links.begin(), links.end()), links.end());
-    require_one_to_one(p, links, pairs, master_of);
+    require_one_to_one(p, links, pairs);
     return links;
   }
 
   void require_one_to_one(const Periodicity& p, const std::vector<Link>& links,
-                          const std::vector<FacetPair>& pairs,
-                          const std::vector<std::uint32_t>& master_of) const {
-    // Corners come before nodes: where nodes do not correspond, a corner of their edge does not.
+                          const std::vector<FacetPair>& pairs) const {
     std::vector<Link> inverse;
     for (const Link& link : links) inverse.push_back({link.master, link.vertex});
     std::sort(inverse.begin(), inverse.end());
     for (std::size_t i = 1; i < links.size(); ++i) {
       if (links[i - 1].vertex == links[i].vertex)
-        refuse(p, {links[i - 1].master, links[i].master}, links[i].vertex, pairs, master_of, true);
+        refuse(p, {links[i - 1].master, links[i].master}, links[i].vertex, pairs, true);
       if (inverse[i - 1].vertex == inverse[i].vertex)
-        refuse(p, {inverse[i - 1].master, inverse[i].master}, inverse[i].vertex, pairs, master_of,
-               false);
+        refuse(p, {inverse[i - 1].master, inverse[i].master}, inverse[i].vertex, pairs, false);
     }
   }
 
@@ -185,111 +186,48 @@ class PairCarrier {
   // `masters_apart`: the side that came apart is the master's.
   [[noreturn]] void refuse(const Periodicity& p, std::array<std::uint32_t, 2> apart,
                            std::uint32_t joined, const std::vector<FacetPair>& pairs,
-                           const std::vector<std::uint32_t>& master_of, bool masters_apart) const {
+                           bool masters_apart) const {
     static constexpr std::array<const char*, 3> kEntity{"point", "curve", "surface"};
-    const std::uint32_t vertex = output_.origin[apart[0]], partner = output_.origin[joined];
-    const auto advice = what_to_cut(p, apart, vertex, pairs, master_of, masters_apart);
+    const std::uint32_t partner = output_.origin[joined];
+    const auto facets = facets_to_cut(apart, partner, pairs, masters_apart);
+    std::string advice = "cut both sides alike, or leave the facets at this vertex out";
+    if (!facets.empty()) {
+      advice = fmt::format("cut the {} ", facets.size() == 1 ? "facet" : "facets");
+      for (std::size_t i = 0; i < facets.size(); ++i)
+        advice +=
+            fmt::format("{}({})", i == 0 ? "" : ", ", listed(facet_vertices(mesh_, facets[i])));
+      advice += fmt::format(" as well, so that vertex {} splits where its partner does",
+                            mesh_.vertex_numbers[partner]);
+    }
     throw InputError(fmt::format(
         "{}: the cut splits vertex {} and leaves vertex {} joined, although {} {} and its master "
         "{} are periodic and make the two a pair; {}",
-        mesh_.source, mesh_.vertex_numbers[vertex], mesh_.vertex_numbers[partner],
-        kEntity[static_cast<std::size_t>(p.dimension)], p.entity, p.master,
-        advice.empty() ? "cut both sides alike, or leave the facets at this vertex out" : advice));
+        mesh_.source, mesh_.vertex_numbers[output_.origin[apart[0]]], mesh_.vertex_numbers[partner],
+        kEntity[static_cast<std::size_t>(p.dimension)], p.entity, p.master, advice));
   }
 
-  // "cut the facet (1 2 3) as well, ..", if two neighbouring facets of the side that came apart
-  // show a ridge where a facet opened that has a counterpart.
-  std::string what_to_cut(const Periodicity& p, std::array<std::uint32_t, 2> apart,
-                          std::uint32_t vertex, const std::vector<FacetPair>& pairs,
-                          const std::vector<std::uint32_t>& master_of, bool masters_apart) const {
-    std::vector<std::uint32_t> image = master_of;
-    if (masters_apart) {
-      image.assign(master_of.size(), kNoPlace);
-      for (const auto& pair : p.pairs) image[pair.master] = pair.vertex;
-    }
-    std::array<std::vector<FacetPlaces<D>>, 2> around;
+  // The fewest facets around `partner`, a place in the file, that separate the facets there whose
+  // counterparts came apart. Empty if `partner` is a node of second order or its facets touch.
+  std::vector<HalfFacetId> facets_to_cut(std::array<std::uint32_t, 2> apart, std::uint32_t partner,
+                                         const std::vector<FacetPair>& pairs,
+                                         bool masters_apart) const {
+    std::array<std::vector<CellId>, 2> around;
+    std::optional<topology::VertexId> vertex;
     for (const FacetPair& pair : pairs) {
-      const auto facet = places(masters_apart ? pair.master : pair.facet);
-      for (std::size_t i = 0; i < facet.now.size(); ++i)
-        for (std::size_t s = 0; s < 2; ++s)
-          if (facet.now[i] == apart[s]) around[s].push_back(facet);
+      const HalfFacetId here = masters_apart ? pair.master : pair.facet;
+      const HalfFacetId there = masters_apart ? pair.facet : pair.master;
+      const auto now = places(here).now;
+      const auto file = places(there).file;
+      const auto at =
+          static_cast<std::size_t>(std::find(file.begin(), file.end(), partner) - file.begin());
+      if (at == file.size()) continue;
+      vertex = body_.complex.facet(there)[at];
+      for (std::size_t side = 0; side < 2; ++side)
+        if (std::find(now.begin(), now.end(), apart[side]) != now.end())
+          around[side].push_back(topology::cell_of<D>(there));
     }
-    for (const auto& one : around[0])
-      for (const auto& other : around[1]) {
-        std::vector<std::uint32_t> ridge, counterpart;
-        for (const std::uint32_t v : one.file)
-          if (std::find(other.file.begin(), other.file.end(), v) != other.file.end())
-            ridge.push_back(v);
-        if (ridge.size() + 1 != static_cast<std::size_t>(D)) continue;
-        for (const std::uint32_t v : ridge) counterpart.push_back(image[v]);
-        const auto opened = facets_at(ridge, true), shut = facets_at(counterpart, false);
-        if (opened.empty() || shut.empty()) continue;
-        const Map map{p, masters_apart, mesh_.points[vertex], mesh_.points[image[vertex]]};
-        const auto nearest =
-            std::min_element(shut.begin(), shut.end(), [&](const Tuple<D>& a, const Tuple<D>& b) {
-              return distance(map, opened.front(), a) < distance(map, opened.front(), b);
-            });
-        return fmt::format(
-            "cut the facet ({}) as well, which lies there as the facet ({}) does here",
-            numbers(*nearest), numbers(opened.front()));
-      }
-    return {};
-  }
-
-  // Facets of the file with a mate that contain `ridge`, and that did open or did not.
-  std::vector<Tuple<D>> facets_at(const std::vector<std::uint32_t>& ridge, bool opened) const {
-    std::vector<Tuple<D>> found;
-    for (std::uint32_t h = 0; h < body_.complex.half_facet_count(); ++h) {
-      const auto mate = body_.complex.mate({h});
-      if (!mate || mate->value < h) continue;
-      const auto facet = places({h});
-      if (!std::all_of(ridge.begin(), ridge.end(), [&](std::uint32_t v) {
-            return std::find(facet.file.begin(), facet.file.end(), v) != facet.file.end();
-          }))
-        continue;
-      auto one = facet.now, other = places(*mate).now;
-      std::sort(one.begin(), one.end());
-      std::sort(other.begin(), other.end());
-      if ((one != other) == opened) found.push_back(facet.file);
-    }
-    return found;
-  }
-
-  // From the side that came apart to the other one: the affine map of the file, or a translation.
-  struct Map {
-    const Periodicity& periodicity;
-    bool from_master;
-    std::array<double, 3> here, there;  // a vertex and its image
-  };
-
-  // How far the centre of facet `b` is from where the map takes that of facet `a`.
-  double distance(const Map& map, const Tuple<D>& a, const Tuple<D>& b) const {
-    auto from = centre(a), to = centre(b);
-    const auto& affine = map.periodicity.affine;
-    if (affine.size() != 16) {
-      for (std::size_t x = 0; x < 3; ++x) from[x] += map.there[x] - map.here[x];
-    } else {
-      auto& master = map.from_master ? from : to;
-      const auto p = master;
-      for (std::size_t x = 0; x < 3; ++x)
-        master[x] = affine[4 * x] * p[0] + affine[4 * x + 1] * p[1] + affine[4 * x + 2] * p[2] +
-                    affine[4 * x + 3];
-    }
-    return std::hypot(from[0] - to[0], from[1] - to[1], from[2] - to[2]);
-  }
-
-  std::array<double, 3> centre(const Tuple<D>& facet) const {
-    std::array<double, 3> sum{};
-    for (const std::uint32_t v : facet)
-      for (std::size_t x = 0; x < 3; ++x) sum[x] += mesh_.points[v][x] / D;
-    return sum;
-  }
-
-  std::string numbers(const Tuple<D>& facet) const {
-    std::vector<std::uint64_t> list;
-    for (const std::uint32_t v : facet) list.push_back(mesh_.vertex_numbers[v]);
-    std::sort(list.begin(), list.end());
-    return listed(list);
+    if (!vertex) return {};
+    return star_cut(body_.complex, scored_, *vertex, around[0], around[1]);
   }
 
   std::uint32_t root(std::uint32_t place) {
@@ -361,6 +299,7 @@ class PairCarrier {
 
   const Body<D>& body_;
   const Mesh& mesh_;
+  const topology::FacetSet& scored_;
   CutOutput& output_;
   std::vector<HalfFacetId> boundary_;                               // of the file's cells
   std::vector<std::pair<std::uint32_t, std::uint32_t>> by_origin_;  // origin, place in the output
@@ -372,12 +311,14 @@ class PairCarrier {
 }  // namespace
 
 template <int D>
-void carry_periodic(const Body<D>& body, CutOutput& output) {
-  if (!body.mesh->periodic.empty()) PairCarrier<D>(body, output).run();
+void carry_periodic(const Body<D>& body, const topology::Incision<D>& incision, CutOutput& output) {
+  if (body.mesh->periodic.empty()) return;
+  const topology::FacetSet scored = incision.scored();
+  PairCarrier<D>(body, scored, output).run();
 }
 
-template void carry_periodic<1>(const Body<1>&, CutOutput&);
-template void carry_periodic<2>(const Body<2>&, CutOutput&);
-template void carry_periodic<3>(const Body<3>&, CutOutput&);
+template void carry_periodic<1>(const Body<1>&, const topology::Incision<1>&, CutOutput&);
+template void carry_periodic<2>(const Body<2>&, const topology::Incision<2>&, CutOutput&);
+template void carry_periodic<3>(const Body<3>&, const topology::Incision<3>&, CutOutput&);
 
 }  // namespace cleave::app

@@ -13,9 +13,9 @@ namespace cleave::app {
 /// directly or by way of others. A copy that is on no identified facet is in no pair, which is
 /// warned about.
 /// Throws InputError if the copies do not correspond one to one, as when one side is cut where the
-/// other is not: the message names the vertices and the facet to cut as well.
+/// other is not: the message names the vertices and the fewest facets that mend that vertex.
 /// Time: linear in the cells for each periodicity, and sorting its facets.
 template <int D>
-void carry_periodic(const Body<D>& body, CutOutput& output);
+void carry_periodic(const Body<D>& body, const topology::Incision<D>& incision, CutOutput& output);
 
 }  // namespace cleave::app

@@ -115,7 +115,7 @@ void lie_between_the_sides() {
     auto top_sorted = top;
     std::sort(top_sorted.begin(), top_sorted.end());
     const auto below = minus_side.find(bottom), above = plus_side.find(top_sorted);
-    RC_ASSERT(below != minus_side.end() && above != plus_side.end());
+    RC_ASSERT((below != minus_side.end() && above != plus_side.end()));
     minus_side.erase(below);
     plus_side.erase(above);
     // The plus side moves towards its cell; vertices that both sides share stay.
@@ -131,7 +131,7 @@ void lie_between_the_sides() {
     degenerate += shared ? 1 : 0;
     RC_ASSERT(measure(p) > 0);
   }
-  RC_ASSERT(minus_side.empty() && plus_side.empty());
+  RC_ASSERT((minus_side.empty() && plus_side.empty()));
   RC_CLASSIFY(degenerate > 0, "elements at a tip");
   RC_CLASSIFY(cohesive.size() == 0, "nothing opened");
 }

@@ -144,12 +144,12 @@ void require_canonical_order(const Mesh& out) {
     const bool node = least_cell.count(p) != 0;
     if (seen.insert(from).second) {
       RC_ASSERT(!copies_began);
-      RC_ASSERT(p == 0 || from > last_original);
+      RC_ASSERT((p == 0 || from > last_original));
       last_original = from;
       continue;
     }
     copies_began = true;
-    RC_ASSERT(node || node_copies.empty());
+    RC_ASSERT((node || node_copies.empty()));
     if (node) node_copies.emplace_back(from, least_cell[p]);
   }
   RC_ASSERT(std::is_sorted(node_copies.begin(), node_copies.end()));
@@ -171,7 +171,7 @@ void require_facet_values(const Mesh& before, const Mesh& out) {
     auto vertices = tuple(out.facets(), D, e);
     for (std::uint32_t& v : vertices) v = origin(out, v);
     const double value = out.facet_fields.front().values[e], expected = signature(vertices);
-    RC_ASSERT(signatures.count(expected) != 0 ? value == expected : std::isnan(value));
+    RC_ASSERT((signatures.count(expected) != 0 ? value == expected : std::isnan(value)));
   }
 }
 
