@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <cmath>
 
 #include "choice.hpp"
 #include "commands.hpp"
@@ -10,8 +11,15 @@
 namespace cleave::app {
 namespace {
 
+// Refuses before anything is done what OUT cannot be.
+void require_format(const CutOptions& options) {
+  if (format_of(options.out) == MeshFormat::kMedit && options.cohesive)
+    throw InputError("'" + options.out +
+                     "': Medit files hold no cohesive elements; write .msh, .vtu, .vtk or .inp");
+}
+
 int run_cut(const CutOptions& options) {
-  if (!options.out.empty()) format_of(options.out);  // refused before anything is done
+  if (!options.out.empty()) require_format(options);
   Progress progress(6, options.quiet);
   progress.stage("reading " + options.mesh);
   const Mesh mesh = read_mesh(options.mesh);
@@ -81,11 +89,13 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
   auto* dry_run = cut->add_flag("--dry-run", options->dry_run, "Do everything but write OUT");
   cut->add_flag("--explain", options->explain,
                 "Say why facets stay shut, and by which vertex facets opened");
-  cut->add_flag("--cohesive", options->cohesive,
-                "Put cohesive elements of no thickness between the two sides of what opens");
+  auto* cohesive =
+      cut->add_flag("--cohesive", options->cohesive,
+                    "Put cohesive elements of no thickness between the two sides of what opens");
   cut->add_option("--offset", options->offset,
                   "Move the two sides apart by this distance, to look at the cut")
       ->check(CLI::NonNegativeNumber)
+      ->excludes(cohesive)
       ->option_text("DISTANCE");
   cut->add_flag("--require-open", options->require_open, "Exit with 1 if a facet stays shut");
   cut->add_flag("--strict", options->strict,
@@ -113,6 +123,8 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
     if (out->count() == 0 && dry_run->count() == 0)
       throw CLI::RequiredError("-o OUT (or --dry-run)");
     const CutOptions& o = *options;
+    if (!std::isfinite(o.offset))
+      throw CLI::ValidationError("--offset", "the distance must be finite");
     refuse_report_onto(o.json, {o.mesh, o.out, o.facets, o.sweep, groups_path(o.mesh).string(),
                                 groups_path(o.out).string()});
     chosen = [options] { return run_cut(*options); };

@@ -182,14 +182,11 @@ class Mover {
     const double c1 = (-11 * f0 + 18 * f1 - 9 * f2 + 2 * f3) / 2;
     const double c2 = 9 * (2 * f0 - 5 * f1 + 4 * f2 - f3) / 2;
     const double c3 = 9 * (-f0 + 3 * f1 - 3 * f2 + f3) / 2;
-    std::array<double, 4> stop{0, 1, 1, 1};
+    std::array<double, 4> stop{0, 1, 1, 1};  // and the zeros of the derivative between them
     const double root = c2 * c2 - 3 * c1 * c3;
-    if (root > 0 && c3 != 0) {
-      stop[1] = std::clamp((-c2 - std::sqrt(root)) / (3 * c3), 0., 1.);
-      stop[2] = std::clamp((-c2 + std::sqrt(root)) / (3 * c3), 0., 1.);
-    } else if (c2 != 0) {
-      stop[1] = std::clamp(-c1 / (2 * c2), 0., 1.);
-    }
+    const double q = root < 0 ? 0 : -(c2 + std::copysign(std::sqrt(root), c2));  // none cancels
+    if (q != 0) stop[1] = std::clamp(c1 / q, 0., 1.);
+    if (q != 0 && c3 != 0) stop[2] = std::clamp(q / (3 * c3), 0., 1.);
     std::sort(stop.begin(), stop.end());
     for (std::size_t i = 0; i + 1 < stop.size(); ++i) {
       if (at(stop[i + 1]) > 0) continue;
