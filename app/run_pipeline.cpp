@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "body.hpp"
+#include "cleave/fem/displacement.hpp"
 #include "cleave/fem/elastic_operator.hpp"
 #include "cleave/topology/carry_over.hpp"
 #include "cleave/topology/pieces.hpp"
@@ -223,11 +224,7 @@ void Run::follow(const topology::Relabelling& change) {
     parts_.build("loads", [&] {
       for (fem::Loads& loads : loads_) fem::carry_over(loads, k, points_, change);
     });
-  if (displacement_.size() == 0) return;
-  displacement_.conservativeResize(3 * static_cast<Eigen::Index>(change.vertices_after));
-  for (const auto& split : change.splits)
-    displacement_.segment<3>(3 * static_cast<Eigen::Index>(split.vertex.value)) =
-        displacement_.segment<3>(3 * static_cast<Eigen::Index>(split.parent.value));
+  if (displacement_.size() != 0) fem::carry_over(displacement_, k, points_, change);
 }
 
 void Run::solve(const std::string& after) {

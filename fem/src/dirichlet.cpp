@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "cleave/topology/carry_over.hpp"
+
 namespace cleave::fem {
 
 using topology::VertexId;
@@ -57,6 +59,25 @@ void Dirichlet::carry_over(const topology::Relabelling& change) {
       if (parent != result.values_.end()) result.prescribe(split.vertex, axis, parent->second);
     }
   *this = std::move(result);
+}
+
+std::vector<SupportConflict> Dirichlet::conflicts(std::span<const topology::Merge> merges) const {
+  std::vector<SupportConflict> found;
+  topology::detail::for_each_merged(merges, [&](std::span<const VertexId> vertices) {
+    for (int axis = 0; axis < 3; ++axis) {
+      auto first = values_.end();
+      for (const VertexId v : vertices) {
+        const auto at = values_.find(coordinate(v, axis));
+        if (at == values_.end()) continue;
+        if (first == values_.end()) first = at;
+        if (first->second == at->second) continue;
+        const VertexId one{static_cast<std::uint32_t>(first->first / 3)};
+        found.push_back({one, v, axis, first->second, at->second});
+        break;
+      }
+    }
+  });
+  return found;
 }
 
 void Dirichlet::require_within(Eigen::Index size) const {

@@ -45,4 +45,12 @@ inline void require_one_point_per_vertex(const topology::Complex<3>& k, Points p
                                 " points");
 }
 
+/// The volume of the cells around a vertex. Time: linear in the star.
+inline double star_volume(const topology::Complex<3>& k, Points points, topology::VertexId vertex) {
+  double volume = 0.0;
+  for (const topology::CornerId corner : topology::star(k, vertex))
+    volume += cell_volume(k, points, topology::cell_of<3>(corner));
+  return volume;
+}
+
 }  // namespace cleave::fem

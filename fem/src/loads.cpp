@@ -11,7 +11,6 @@
 
 namespace cleave::fem {
 
-using topology::CornerId;
 using topology::VertexId;
 
 namespace {
@@ -24,13 +23,6 @@ void require_used(const topology::Complex<3>& k, VertexId vertex) {
   if (!k.a_corner(vertex))
     throw std::invalid_argument("a force is given for vertex " + std::to_string(vertex.value) +
                                 ", which no cell uses");
-}
-
-double star_volume(const topology::Complex<3>& k, Points points, VertexId vertex) {
-  double volume = 0.0;
-  for (const CornerId corner : topology::star(k, vertex))
-    volume += cell_volume(k, points, topology::cell_of<3>(corner));
-  return volume;
 }
 
 Eigen::Ref<Eigen::Vector3d> entries_of(Eigen::VectorXd& f, VertexId vertex) {
@@ -118,14 +110,17 @@ Eigen::VectorXd force_vector(const topology::Complex<3>& k, Points points, const
 
 void carry_over(Loads& loads, const topology::Complex<3>& k, Points points,
                 const topology::Relabelling& change) {
-  std::map<VertexId, VertexId> merged;
-  for (const topology::Merge& merge : change.merges) merged[merge.vertex] = merge.into;
   const auto split = families(change);
+  std::map<VertexId, Eigen::Vector3d> into;  // forces on vertices that others are merged into
+  for (const topology::Merge& merge : change.merges)
+    into.emplace(merge.into, Eigen::Vector3d::Zero());
 
   std::vector<NodalForce> carried;
-  for (NodalForce load : loads.nodal) {
-    if (const auto into = merged.find(load.vertex); into != merged.end())
-      load.vertex = into->second;
+  for (const NodalForce& load : loads.nodal) {
+    if (const auto sum = into.find(change.merged(load.vertex)); sum != into.end()) {
+      sum->second += load.force;
+      continue;
+    }
     const auto family = split.find(load.vertex);
     if (family == split.end()) {
       carried.push_back(load);
@@ -134,6 +129,8 @@ void carry_over(Loads& loads, const topology::Complex<3>& k, Points points,
     const auto shares = share_force(k, points, family->second, load.force);
     carried.insert(carried.end(), shares.begin(), shares.end());
   }
+  for (const auto& [vertex, force] : into)
+    if (force != Eigen::Vector3d::Zero()) carried.push_back({vertex, force});
   loads.nodal = std::move(carried);
 }
 

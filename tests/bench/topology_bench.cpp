@@ -8,6 +8,7 @@
 #include "cleave/support/rng.hpp"
 #include "cleave/topology/assemble.hpp"
 #include "cleave/topology/check.hpp"
+#include "cleave/topology/incision.hpp"
 #include "cleave/topology/locate.hpp"
 #include "cleave/topology/unglue.hpp"
 #include "flat_yardstick.hpp"
@@ -191,6 +192,43 @@ void unglue_one_facet(benchmark::State& state) {
   state.counters["ratio"] = median(ours) / median(yardstick);
 }
 
+/// Nanoseconds per facet of a stitch that takes a whole cut back, beside the cut it undoes: both as
+/// steps of an incision, and the bare unglue. `half`: of taking every second facet back, per facet.
+/// `ratio`: stitch to bare unglue, both without verification.
+void stitch_patches(benchmark::State& state) {
+  const Body& whole = body(static_cast<int>(state.range(0)));
+  const auto count = static_cast<int>(state.range(1));
+  const FacetSet cut = FacetSet::of(whole.complex, patches(whole, count));
+  std::vector<HalfFacetId> every_second;
+  for (std::size_t n = 0; n < cut.size(); n += 2) every_second.push_back(cut.half_facets()[n]);
+  const FacetSet half = FacetSet::of_lesser(every_second);
+  std::vector<double> bare, cuts, stitches, verified, halves;
+  Incision<3> incision(whole.complex);
+  std::size_t merges = 0;
+  for (auto _ : state) {
+    {
+      const auto k = std::make_unique<Complex<3>>(whole.complex);
+      bare.push_back(seconds([&] { unglue(*k, cut, Verify::none); }));
+    }
+    cuts.push_back(seconds([&] { incision.cut(cut, Verify::none); }));
+    stitches.push_back(seconds([&] { merges = incision.stitch(cut, Verify::none).merges.size(); }));
+    incision.cut(cut, Verify::none);
+    verified.push_back(seconds([&] { incision.stitch(cut); }));
+    incision.cut(cut, Verify::none);
+    halves.push_back(seconds([&] { incision.stitch(half, Verify::none); }));
+    incision.stitch(cut, Verify::none);
+    incision.forget_steps();
+    state.SetIterationTime(stitches.back());
+  }
+  state.counters["ns/facet"] = 1e9 * median(stitches) / count;
+  state.counters["verified"] = 1e9 * median(verified) / count;
+  state.counters["half"] = 1e9 * median(halves) / static_cast<double>(half.size());
+  state.counters["cut"] = 1e9 * median(cuts) / count;
+  state.counters["unglue"] = 1e9 * median(bare) / count;
+  state.counters["ratio"] = median(stitches) / median(bare);
+  state.counters["merges"] = static_cast<double>(merges);
+}
+
 void sizes_that_double(benchmark::internal::Benchmark* b) {
   for (const int shuffle : {0, 1})
     for (const int cubes : {10, 13, 16, 20, 25, 32, 40, 50, 63, 80, 100}) b->Args({cubes, shuffle});
@@ -208,6 +246,13 @@ BENCHMARK(unglue_one_facet)
     ->Arg(100)
     ->ArgName("cubes")
     ->Iterations(1001)
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
+
+BENCHMARK(stitch_patches)
+    ->ArgsProduct({{40, 100}, {1000, 10000, 100000}})
+    ->ArgNames({"cubes", "facets"})
+    ->Iterations(11)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 

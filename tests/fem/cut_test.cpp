@@ -66,13 +66,7 @@ TEST(ElasticOperatorAfterCuts, FollowsMerges) {
   ASSERT_FALSE(change.splits.empty());
   followed.update(body.k, change);
 
-  topology::Relabelling back;
-  back.vertices_before = change.vertices_after;
-  back.vertices_after = change.vertices_before;
-  for (const auto& renamed : change.corners)
-    back.corners.push_back({renamed.corner, renamed.to, renamed.from});
-  for (const auto& split : change.splits) back.merges.push_back({split.vertex, split.parent});
-  followed.update(before.k, back);
+  followed.update(before.k, topology::inverse(change));
 
   const ElasticOperator fresh(before.k, before.points, materials);
   support::Rng rng(3);

@@ -2,7 +2,9 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <map>
+#include <span>
 #include <stdexcept>
+#include <vector>
 
 #include "cleave/topology/ids.hpp"
 #include "cleave/topology/relabelling.hpp"
@@ -16,6 +18,13 @@ class ContradictorySupport : public std::invalid_argument {
   topology::VertexId vertex;
   int axis;
   double earlier, later;
+};
+
+/// Two vertices that are to be merged have different values prescribed along an axis.
+struct SupportConflict {
+  topology::VertexId one, other;
+  int axis;
+  double value_of_one, value_of_other;
 };
 
 /// Prescribed displacements of single coordinates: the set B and the values p of the paper's
@@ -35,6 +44,11 @@ class Dirichlet {
   /// disagree, and then nothing has changed. Time: the prescribed coordinates, and the splits and
   /// merges times a logarithm.
   void carry_over(const topology::Relabelling& change);
+
+  /// What forbids these merges, which a stitch plans (topology::Incision::planned_merges) or made:
+  /// for each vertex that stays and each axis, the first two that disagree of those that become
+  /// one; ascending. Empty: carry_over will not throw. Time: the merges times a logarithm.
+  std::vector<SupportConflict> conflicts(std::span<const topology::Merge> merges) const;
 
   bool prescribes(topology::VertexId vertex, int axis) const {
     return values_.count(coordinate(vertex, axis)) != 0;
