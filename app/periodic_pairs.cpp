@@ -70,12 +70,7 @@ class PairCarrier {
     }
     for (std::size_t i = 0; i < mesh_.periodic.size(); ++i)
       output_.mesh.periodic.push_back(after(mesh_.periodic[i], links[i]));
-    if (unpaired_ > 0)
-      output_.warnings.push_back(fmt::format(
-          "{} on no facet of the periodic boundary and in no periodic pair, such as {} of vertex "
-          "{}",
-          counted(unpaired_, "copy is", "copies are"), output_.mesh.vertex_numbers[first_unpaired_],
-          mesh_.vertex_numbers[output_.origin[first_unpaired_]]));
+    warn_of_unpaired();
   }
 
  private:
@@ -253,7 +248,8 @@ class PairCarrier {
             found.push_back({one, other});
       if (found.empty()) found = by_way_of_others(p, pair, ones, others);
       for (const Link& link : found) now.pairs.push_back({link.vertex, link.master});
-      note_unpaired(ones, others, found);
+      split_.insert(split_.end(), ones.begin(), ones.end());
+      split_.insert(split_.end(), others.begin(), others.end());
     }
     return now;
   }
@@ -283,18 +279,21 @@ class PairCarrier {
                       : "they do not correspond one to one"));
   }
 
-  void note_unpaired(const std::vector<std::uint32_t>& ones,
-                     const std::vector<std::uint32_t>& others, const std::vector<Link>& found) {
-    const auto note = [&](std::uint32_t place, bool paired) {
-      if (paired) return;
-      if (unpaired_++ == 0) first_unpaired_ = place;
-    };
-    for (const std::uint32_t one : ones)
-      note(one, std::any_of(found.begin(), found.end(),
-                            [&](const Link& link) { return link.vertex == one; }));
-    for (const std::uint32_t other : others)
-      note(other, std::any_of(found.begin(), found.end(),
-                              [&](const Link& link) { return link.master == other; }));
+  void warn_of_unpaired() {
+    std::vector<bool> paired(output_.origin.size());
+    for (const Periodicity& p : output_.mesh.periodic)
+      for (const auto& pair : p.pairs) paired[pair.vertex] = paired[pair.master] = true;
+    std::sort(split_.begin(), split_.end());
+    split_.erase(std::unique(split_.begin(), split_.end()), split_.end());
+    split_.erase(std::remove_if(split_.begin(), split_.end(),
+                                [&](std::uint32_t place) { return paired[place]; }),
+                 split_.end());
+    if (split_.empty()) return;
+    output_.warnings.push_back(fmt::format(
+        "{} on no facet of the periodic boundary and in no periodic pair, such as {} of vertex {}",
+        counted(split_.size(), "copy is", "copies are"),
+        output_.mesh.vertex_numbers[split_.front()],
+        mesh_.vertex_numbers[output_.origin[split_.front()]]));
   }
 
   const Body<D>& body_;
@@ -304,8 +303,7 @@ class PairCarrier {
   std::vector<HalfFacetId> boundary_;                               // of the file's cells
   std::vector<std::pair<std::uint32_t, std::uint32_t>> by_origin_;  // origin, place in the output
   std::vector<std::uint32_t> component_;  // union-find over the output's points
-  std::size_t unpaired_ = 0;
-  std::uint32_t first_unpaired_ = 0;
+  std::vector<std::uint32_t> split_;      // the copies of points of pairs that have several
 };
 
 }  // namespace

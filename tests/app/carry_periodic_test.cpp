@@ -294,6 +294,33 @@ TEST(Periodic, CurvesInSpaceFollowTheSurfaces) {
   EXPECT_EQ(by_way, 4u);
 }
 
+TEST(Periodic, ACopyThatIsOnNoIdentifiedFacetIsInNoPairAndWarnedAbout) {
+  // The far end is two entities, as a mesher makes them of a plane that a fault divides. Each has
+  // one of the two copies; what is on neither is a wedge that touches the end in a vertex alone.
+  support::Rng rng(13);
+  const support::KuhnGrid<2> grid({3, 3});
+  Mesh mesh = grid_mesh(grid, rng);
+  for (int half = 0; half < 2; ++half) {
+    Periodicity p{1, 10 + half, 20 + half, {}, {}};
+    for (const int y : {half, half + 1})
+      p.pairs.push_back({grid.vertex({2, y}).value, grid.vertex({0, y}).value});
+    mesh.periodic.push_back(p);
+  }
+  const auto row =
+      choose<2>(mesh, [](const std::vector<Point>& p) { return p[0][1] == 1 && p[1][1] == 1; });
+  const auto plain = cut<2>(mesh, {}, row);
+  EXPECT_TRUE(plain.output.warnings.empty());
+  for (const Periodicity& p : plain.output.mesh.periodic) EXPECT_EQ(p.pairs.size(), 2u);
+  const auto fan = choose<2>(mesh, [](const std::vector<Point>& p) {
+    return std::count_if(p.begin(), p.end(),
+                         [](const Point& q) { return (q[0] == 2 || q[0] == 0) && q[1] == 1; }) == 1;
+  });
+  const auto wedge = cut<2>(mesh, {}, fan);
+  ASSERT_EQ(wedge.output.warnings.size(), 1u);
+  EXPECT_NE(wedge.output.warnings.front().find("in no periodic pair"), std::string::npos);
+  for (const Periodicity& p : wedge.output.mesh.periodic) EXPECT_EQ(p.pairs.size(), 2u);
+}
+
 TEST(Periodic, PairsThatNoFacetsIdentifyStayOrAreRefused) {
   support::Rng rng(12);
   const support::KuhnGrid<2> grid({4, 3});
