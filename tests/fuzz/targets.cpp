@@ -1,0 +1,29 @@
+#include "targets.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace cleave::fuzz {
+namespace {
+
+constexpr std::array kTargets{
+    Target{"medit", [](Bytes bytes) { fuzz_mesh(".mesh", bytes); }},
+    Target{"msh", [](Bytes bytes) { fuzz_mesh(".msh", bytes); }},
+    Target{"vtk", [](Bytes bytes) { fuzz_mesh(".vtk", bytes); }},
+    Target{"vtu", [](Bytes bytes) { fuzz_mesh(".vtu", bytes); }},
+    Target{"request", fuzz_request},
+    Target{"scene", fuzz_scene},
+    Target{"topology", fuzz_topology},
+};
+
+}  // namespace
+
+std::span<const Target> targets() { return kTargets; }
+
+const Target* find_target(std::string_view name) {
+  const auto found = std::find_if(kTargets.begin(), kTargets.end(),
+                                  [&](const Target& target) { return target.name == name; });
+  return found == kTargets.end() ? nullptr : &*found;
+}
+
+}  // namespace cleave::fuzz
