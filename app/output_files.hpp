@@ -9,8 +9,9 @@ namespace cleave::app {
 
 /// Output files that belong together (a mesh, the names of its groups, a report): either all of
 /// them appear, or none, and what stood at their names before is still there. Only a process that
-/// is killed outright while commit() renames them can leave the first ones new and the others old;
-/// no file is partial then either.
+/// is killed outright while commit() renames them can leave some new and the others old; no file is
+/// partial then either, and since they appear in the reverse order, whatever describes a file and
+/// was added after it is there before it.
 class OutputFiles {
  public:
   /// A further file, to be written by the caller. The reference stays valid. Throws as OutputFile.
@@ -19,8 +20,8 @@ class OutputFiles {
   /// A file that is to be gone when the others appear. It need not be there.
   void remove(const std::filesystem::path& target);
 
-  /// Brings all files to the disk, then makes them appear in the order in which they were added,
-  /// then removes what is to go. Call once, as the last thing. Throws OutputError.
+  /// Brings all files to the disk, then makes them appear, the last one added first, then removes
+  /// what is to go. Call once, as the last thing. Throws OutputError.
   void commit();
 
  private:
