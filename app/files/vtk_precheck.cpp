@@ -1,11 +1,11 @@
 #include "files/vtk_precheck.hpp"
 
-#include <array>
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "files/input_text.hpp"
 #include "files/row.hpp"
@@ -32,21 +32,21 @@ void check_counts(const InputText& text, std::string_view keyword, std::uint64_t
   }
 }
 
-/// The first `count` bytes that the base64 digits from `at` on stand for.
-std::array<unsigned char, 8> decode_base64(const char* at, const char* end, std::size_t count) {
+/// The first `count` bytes that the base64 digits from `at` on stand for; fewer if they end before.
+std::vector<unsigned char> decode_base64(const char* at, const char* end, std::size_t count) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::array<unsigned char, 8> bytes{};
+  std::vector<unsigned char> bytes;
   std::uint32_t bits = 0;
   int bit_count = 0;
-  for (std::size_t n = 0; n < count && at != end; ++at) {
+  for (; bytes.size() < count && at != end; ++at) {
     const auto digit = kDigits.find(*at);
     if (digit == kDigits.npos) break;
     bits = bits << 6 | static_cast<std::uint32_t>(digit);
     bit_count += 6;
     if (bit_count < 8) continue;
     bit_count -= 8;
-    bytes[n++] = static_cast<unsigned char>(bits >> bit_count & 0xff);
+    bytes.push_back(static_cast<unsigned char>(bits >> bit_count & 0xff));
   }
   return bytes;
 }
@@ -62,7 +62,7 @@ std::string_view attribute(std::string_view tag, std::string_view name) {
 }
 
 /// The data arrays of a .vtu file. Each must say where its data is; compressed ones start with
-/// their number of blocks.
+/// their number of blocks, the sizes of a block and of the last one, and of each when compressed.
 class DataArrays {
  public:
   explicit DataArrays(const InputText& text)
@@ -102,17 +102,37 @@ class DataArrays {
   void check_blocks(std::size_t at, bool base64) const {
     if (at == bytes_.npos || at + width_ > bytes_.size()) return;
     const char* place = bytes_.data() + at;
-    std::array<unsigned char, 8> header{};
-    if (base64)
-      header = decode_base64(place, text_.end(), width_);
-    else
-      std::memcpy(header.data(), place, width_);
-    std::uint64_t blocks = 0;
-    for (std::size_t i = 0; i < width_; ++i)
-      blocks = blocks << 8 | header[big_endian_ ? i : width_ - 1 - i];
-    if (blocks > bytes_.size())
-      text_.fail(place, "a data array claims " + std::to_string(blocks) +
+    const std::uint64_t size = bytes_.size();
+    const std::vector<std::uint64_t> blocks = numbers(place, 1, base64);
+    if (!blocks.empty() && blocks[0] > size)
+      text_.fail(place, "a data array claims " + std::to_string(blocks[0]) +
                             " compressed blocks, more than the file has bytes; it is damaged");
+    const std::size_t count = blocks.empty() ? 0 : static_cast<std::size_t>(blocks[0]);
+    const std::vector<std::uint64_t> header = numbers(place, 3 + count, base64);
+    for (std::size_t i = 1; i < header.size(); ++i) {
+      const std::uint64_t greatest = i < 3 ? kGreatestCompression * size : size;
+      if (header[i] > greatest)
+        text_.fail(place, "a data array claims a block of " + std::to_string(header[i]) +
+                              " bytes, which is not possible in a file of " + std::to_string(size) +
+                              "; it is damaged");
+    }
+  }
+
+  /// Up to `count` numbers of a header; fewer if the file ends before.
+  std::vector<std::uint64_t> numbers(const char* place, std::size_t count, bool base64) const {
+    const auto rest = static_cast<std::size_t>(text_.end() - place);
+    const std::size_t wanted = count * width_;
+    const std::vector<unsigned char> raw =
+        base64 ? decode_base64(place, text_.end(), wanted)
+               : std::vector<unsigned char>(place, place + std::min(rest, wanted));
+    std::vector<std::uint64_t> result;
+    for (std::size_t at = 0; at + width_ <= raw.size(); at += width_) {
+      std::uint64_t value = 0;
+      for (std::size_t i = 0; i < width_; ++i)
+        value = value << 8 | raw[at + (big_endian_ ? i : width_ - 1 - i)];
+      result.push_back(value);
+    }
+    return result;
   }
 
   const InputText& text_;

@@ -133,6 +133,21 @@ TEST_F(Vtk, DamagedBlockCountsDoNotTakeTimeOrMemory) {
   expect_reading_error(put("a.vtu", text), {"a.vtu:6:", "compressed blocks", "damaged"});
 }
 
+TEST_F(Vtk, DamagedBlockSizesDoNotTakeMemory) {
+  // Of one block: its number, size when unpacked, size of the last one, size as it is here.
+  const std::pair<const char*, const char*> headers[] = {
+      {"AQAAAP///38AAAAAEQAAAA==", "2147483647"},
+      {"AQAAACAAAAD///9/EQAAAA==", "2147483647"},
+      {"AQAAACAAAAAAAAAA////fw==", "2147483647"}};
+  for (const auto& [header, size] : headers) {
+    std::string text = vtu("\n" + std::string(header) + "eJxjYWBgYARiJiAGAABMAAg=\n", "4", "10");
+    text.replace(text.find("format=\"ascii\">\nAQ"), 14, "format=\"binary\"");
+    text.replace(text.find(" byte_order"), 1, " compressor=\"vtkZLibDataCompressor\" ");
+    expect_reading_error(put("a.vtu", text),
+                         {"a.vtu:6:", "a block of " + std::string(size), "damaged"});
+  }
+}
+
 TEST_F(Vtk, DataArraysMustSayWhereTheirDataIs) {
   const std::string good = vtu("0 1 2 3", "4", "10");
   for (const char* format : {"formal=\"ascii\"", "format=\"text\"", "format=\"appended\"",

@@ -1,5 +1,5 @@
-// From a soup to check to assemble to cuts to certify, in dimensions 1 to 4. Each step is compared
-// with the plain references of tests/support, which share no code with the library.
+// From a soup to check to assemble to cuts and stitches to certify, in dimensions 1 to 4. Each step
+// is compared with the plain references of tests/support, which share no code with the library.
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -118,26 +118,82 @@ void require_state(const Incision<D>& incision, const std::vector<Cell<D>>& orig
   FUZZ_REQUIRE(opened.size() + incision.shut().size() == scored.size());
 }
 
+/// Some interior facets of the original, each by either of its half-facets.
+std::vector<HalfFacetId> some_facets(const std::vector<HalfFacetId>& interior,
+                                     const std::vector<std::optional<HalfFacetId>>& mates,
+                                     Choices& choices) {
+  const bool everything = choices.below(8) == 0;
+  std::vector<HalfFacetId> chosen;
+  for (const HalfFacetId h : interior)
+    if (everything || choices.bit()) chosen.push_back(choices.bit() ? h : *mates[h.value]);
+  return chosen;
+}
+
+/// The scored sets that undo and redo walk along.
+class History {
+ public:
+  const std::set<HalfFacetId>& now() const { return states_[at_]; }
+
+  /// A step that changes nothing is none.
+  void go_to(const std::set<HalfFacetId>& scored) {
+    if (scored == now()) return;
+    states_.resize(at_ + 1);
+    states_.push_back(scored);
+    ++at_;
+  }
+  bool can_undo() const { return at_ > 0; }
+  bool can_redo() const { return at_ + 1 < states_.size(); }
+  void undo() { --at_; }
+  void redo() { ++at_; }
+
+ private:
+  std::vector<std::set<HalfFacetId>> states_{{}};
+  std::size_t at_ = 0;
+};
+
+/// Cuts, stitches, undoes and redoes; each state is what its scored set says (T8, T12). At the end
+/// all is stitched, which gives back the start.
 template <int D>
-void cut_in_stages(const Complex<D>& k, Choices& choices) {
+void cut_and_stitch(const Complex<D>& k, Choices& choices) {
   const std::vector<Cell<D>> original(k.cells().begin(), k.cells().end());
   const auto interior = support::interior_facets<D>(original);
   const auto mates = support::mates_of<D>(original);
   Incision<D> incision(k);
-  std::set<HalfFacetId> scored;
-  for (std::size_t stage = 1 + choices.below(3); stage > 0; --stage) {
-    const bool everything = choices.below(8) == 0;
-    std::vector<HalfFacetId> chosen;
-    for (const HalfFacetId h : interior)
-      if (everything || choices.bit()) chosen.push_back(choices.bit() ? h : *mates[h.value]);
-    for (const HalfFacetId h : chosen) scored.insert(std::min(h, *mates[h.value]));
-    incision.cut(incision.facets(chosen), Verify::all);
-    require_state(incision, original, scored);
+  History history;
+  for (std::size_t step = 2 + choices.below(4); step > 0; --step) {
+    const std::size_t what = choices.below(5);
+    FUZZ_REQUIRE(incision.can_undo() == history.can_undo());
+    FUZZ_REQUIRE(incision.can_redo() == history.can_redo());
+    if (what == 3 && history.can_undo()) {
+      incision.undo(Verify::all);
+      history.undo();
+    } else if (what == 4 && history.can_redo()) {
+      incision.redo(Verify::all);
+      history.redo();
+    } else {
+      const auto chosen = some_facets(interior, mates, choices);
+      const bool stitches = what == 2;
+      auto scored = history.now();
+      for (const HalfFacetId h : chosen) {
+        const HalfFacetId facet = std::min(h, *mates[h.value]);
+        if (stitches)
+          scored.erase(facet);
+        else
+          scored.insert(facet);
+      }
+      if (stitches)
+        incision.stitch(incision.facets(chosen), Verify::all);
+      else
+        incision.cut(incision.facets(chosen), Verify::all);
+      history.go_to(scored);
+    }
+    require_state(incision, original, history.now());
   }
-  const std::vector<HalfFacetId> cut(scored.begin(), scored.end());
-  certify_disturbed<D>(original, cut,
-                       {incision.complex().cells().begin(), incision.complex().cells().end()},
-                       choices);
+  const std::vector<HalfFacetId> cut(history.now().begin(), history.now().end());
+  const auto cells = incision.complex().cells();
+  certify_disturbed<D>(original, cut, {cells.begin(), cells.end()}, choices);
+  incision.stitch(incision.scored(), Verify::all);
+  FUZZ_REQUIRE(std::equal(original.begin(), original.end(), incision.complex().cells().begin()));
 }
 
 template <int D>
@@ -159,7 +215,7 @@ void run(Choices& choices) {
       support::same_partition<D>(made->complex.cells(), support::algorithm_3<D>(soup.cells, {})));
   FUZZ_REQUIRE(!certify<D>(soup.cells, {}, made->complex.cells()).has_value());
   FUZZ_REQUIRE(made->complex.vertex_count() == soup.vertex_count + made->splits.size());
-  cut_in_stages(made->complex, choices);
+  cut_and_stitch(made->complex, choices);
 }
 
 }  // namespace
