@@ -100,11 +100,10 @@ void RunFolder::commit() {
   const auto move_in = [&](const std::filesystem::path& from, const std::filesystem::path& name) {
     replacements.push_back({from, folder_ / name, folder_ / name});
   };
-  for (const auto& name : names) {
-    const std::filesystem::path described = groups_path(name);
-    if (name.extension() == ".vtu" && names.count(described) == 0) move_in({}, described);
-    move_in(staging_ / name, name);
-  }
+  for (auto name = names.rbegin(); name != names.rend(); ++name) move_in(staging_ / *name, *name);
+  for (const auto& name : names)
+    if (name.extension() == ".vtu" && names.count(groups_path(name)) == 0)
+      move_in({}, groups_path(name));
   replace_together(replacements);
   made_.clear();
 }

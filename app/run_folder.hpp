@@ -19,9 +19,10 @@ class RunFolder {
   /// Where to write the file `name` to.
   std::filesystem::path staged(const std::string& name) const { return staging_ / name; }
 
-  /// Moves all staged files to their place, in the order of their names. A description of groups
-  /// that an earlier run left beside a mesh goes if this run's mesh has none. Throws OutputError;
-  /// then every file that an earlier run left is as it was.
+  /// Moves all staged files to their place, against the order of their names, so that what
+  /// describes a mesh is there before it. A description of groups that an earlier run left beside a
+  /// mesh goes if this run's mesh has none. Throws OutputError; then every file that an earlier run
+  /// left is as it was.
   void commit();
 
  private:

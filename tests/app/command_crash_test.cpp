@@ -183,6 +183,9 @@ TEST_P(Crash, AKilledProcessLeavesNoPartialFile) {
       if (GetParam().in_place && now != GetParam().before) continue;
       EXPECT_EQ(run(command()).status, 0);  // and the next run is none the worse
       expect_new(without_temporaries(snapshot()));
+      for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_))
+        EXPECT_FALSE(entry.is_directory() && is_temporary(entry.path().filename().string()))
+            << entry.path() << ": the folder of a killed run goes with the next one";
     }
   }
 }

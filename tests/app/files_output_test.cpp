@@ -202,11 +202,13 @@ TEST_F(Output, WhatAppearedIsTakenBackIfALaterFileCannot) {
 
 TEST_F(Output, AFolderThatGoesMeanwhileIsAnError) {
   std::filesystem::create_directory(path("folder"));
-  OutputFiles files;
-  files.add(path("folder/a")).write("new");
-  files.add(path("b")).write("new");
-  std::filesystem::remove_all(path("folder"));
-  EXPECT_THROW(files.commit(), OutputError);
+  {
+    OutputFiles files;
+    files.add(path("folder/a")).write("new");
+    files.add(path("b")).write("new");
+    std::filesystem::remove_all(path("folder"));
+    EXPECT_THROW(files.commit(), OutputError);
+  }
   EXPECT_TRUE(names().empty());
 }
 
