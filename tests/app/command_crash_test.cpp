@@ -209,6 +209,12 @@ const char* const kScene = R"({"mesh": {"cube": {"nodes": [3, 3, 3], "size": [1,
   "strokes": [{"blade": [[[0.4, -1, -1], [0.4, -1, 2]], [[0.4, 0.6, -1], [0.4, 0.6, 2]]]}],
   "solve": {}, "output": {"vtu": true, "frames": "final"}})";
 
+/// Two tetrahedra that share a vertex and no more.
+std::string touching_tetrahedra() {
+  return medit({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}, {},
+               {{1, 2, 3, 4, 0}, {1, 5, 6, 7, 0}});
+}
+
 std::vector<Scenario> scenarios() {
   const std::string mesh = two_tetrahedra_with_groups();
   return {
@@ -228,6 +234,9 @@ std::vector<Scenario> scenarios() {
       {"Check",
        {{"m.mesh", mesh}, {"report.json", "old"}},
        {"check", "m.mesh", "--json", "report.json"}},
+      {"Reduce",
+       {{"m.mesh", touching_tetrahedra()}, {"out.mesh", "old mesh"}},
+       {"reduce", "m.mesh", "-o", "out.mesh"}},
       {"Run",
        {{"s.json", kScene},
         {"out/summary.json", "old"},
