@@ -58,6 +58,8 @@ int run_reduce(const ReduceOptions& options) {
   Progress progress(40, options.quiet);
   progress.stage("reading " + options.mesh);
   const Mesh mesh = read_mesh(options.mesh);
+  progress.clear();
+  for (const std::string& warning : mesh.dropped) warn(warning);
   progress.stage("looking for what to keep");
   CutProperty cut;
   if (options.cuts())

@@ -154,6 +154,7 @@ SubMesh sub_mesh(const Mesh& mesh, std::span<const std::uint32_t> cells,
   some.dimension = mesh.dimension;
   some.two_dimensional_points = mesh.two_dimensional_points;
   some.msh_version = mesh.msh_version;
+  some.msh_binary = mesh.msh_binary;
   part.number_points(cells, loose);
   const auto top = static_cast<std::size_t>(mesh.dimension);
   Places facets;
