@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cleave/support/dimensions.hpp"
 #include "cleave/topology/assemble.hpp"
 
 namespace cleave::topology {
@@ -187,10 +188,7 @@ void for_all(const std::function<void(const Trial<D>&)>& property) {
   template struct Trial<D>;                                              \
   template std::ostream& operator<< <D>(std::ostream&, const Trial<D>&); \
   template void for_all<D>(const std::function<void(const Trial<D>&)>&);
-CLEAVE_INSTANTIATE(1)
-CLEAVE_INSTANTIATE(2)
-CLEAVE_INSTANTIATE(3)
-CLEAVE_INSTANTIATE(4)
+CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
 
 }  // namespace cleave::topology

@@ -173,14 +173,17 @@ class Stitching {
   /// been renamed.
   void close_others(Relabelling& change) {
     const std::size_t taken_back = closed_.size();
-    for (const RenamedCorner& renamed : change.corners)
+    for (std::size_t n = 0; n < change.corners.size(); ++n) {
+      const CellId cell = cell_of<D>(change.corners[n].corner);
+      if (n != 0 && cell == cell_of<D>(change.corners[n - 1].corner)) continue;  // looked at
       for (int i = 0; i <= D; ++i) {
-        const HalfFacetId h = half_facet<D>(cell_of<D>(renamed.corner), i);
-        if (h == renamed.corner || mates_[h.value].value != detail::kNone) continue;
+        const HalfFacetId h = half_facet<D>(cell, i);
+        if (mates_[h.value].value != detail::kNone) continue;
         const auto former = former_mates_.find(h);
         if (former == former_mates_.end() || !same_vertices(h, former->second)) continue;
         close({std::min(h, former->second), std::max(h, former->second)});
       }
+    }
     for (std::size_t n = taken_back; n < closed_.size(); ++n) {
       const auto [lesser, greater] = closed_[n];
       change.closed.push_back({lesser, greater, was_separated_by(closed_[n], change)});

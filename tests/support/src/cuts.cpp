@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "cleave/support/dimensions.hpp"
 #include "cleave/support/reference.hpp"
 
 namespace cleave::support {
@@ -334,10 +335,7 @@ std::optional<std::vector<HalfFacetId>> random_cut(const Mesh<D>& mesh, CutClass
 
 #define CLEAVE_INSTANTIATE(D) \
   template std::optional<std::vector<HalfFacetId>> random_cut<D>(const Mesh<D>&, CutClass, Rng&);
-CLEAVE_INSTANTIATE(1)
-CLEAVE_INSTANTIATE(2)
-CLEAVE_INSTANTIATE(3)
-CLEAVE_INSTANTIATE(4)
+CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
 
 }  // namespace cleave::support

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cleave/support/dimensions.hpp"
 #include "cleave/support/random_meshes.hpp"
 #include "cleave/support/reference.hpp"
 
@@ -220,10 +221,7 @@ Mesh<D> random_soup(Rng& rng) {
 #define CLEAVE_INSTANTIATE(D)                 \
   template Planted<D> plant<D>(Defect, Rng&); \
   template Mesh<D> random_soup<D>(Rng&);
-CLEAVE_INSTANTIATE(1)
-CLEAVE_INSTANTIATE(2)
-CLEAVE_INSTANTIATE(3)
-CLEAVE_INSTANTIATE(4)
+CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
 template KuhnGrid<3> pinched_edge_grid<3>(std::vector<bool>&);
 template KuhnGrid<4> pinched_edge_grid<4>(std::vector<bool>&);

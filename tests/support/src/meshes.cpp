@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "cleave/support/dimensions.hpp"
+
 namespace cleave::support {
 namespace {
 
@@ -188,10 +190,7 @@ Mesh<D> sub_mesh(const Mesh<D>& mesh, const std::vector<bool>& keep) {
   template Mesh<D> torus<D>(int);                              \
   template Mesh<D> disjoint_union<D>(Mesh<D>, const Mesh<D>&); \
   template Mesh<D> sub_mesh<D>(const Mesh<D>&, const std::vector<bool>&);
-CLEAVE_INSTANTIATE(1)
-CLEAVE_INSTANTIATE(2)
-CLEAVE_INSTANTIATE(3)
-CLEAVE_INSTANTIATE(4)
+CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
 template Mesh<2> cone<2>(const Mesh<1>&);
 template Mesh<3> cone<3>(const Mesh<2>&);

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <set>
 
+#include "cleave/support/dimensions.hpp"
 #include "cleave/support/reference.hpp"
 
 namespace cleave::support {
@@ -239,10 +240,7 @@ Mesh<D> random_mesh(MeshClass mesh_class, Rng& rng) {
   template void subdivide<D>(Mesh<D>&, Rng&);                  \
   template void insert_vertex<D>(Mesh<D>&, std::size_t, Rng&); \
   template void scramble<D>(Mesh<D>&, Rng&);
-CLEAVE_INSTANTIATE(1)
-CLEAVE_INSTANTIATE(2)
-CLEAVE_INSTANTIATE(3)
-CLEAVE_INSTANTIATE(4)
+CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
 
 }  // namespace cleave::support

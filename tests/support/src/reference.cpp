@@ -5,6 +5,8 @@
 #include <boost/graph/connected_components.hpp>
 #include <utility>
 
+#include "cleave/support/dimensions.hpp"
+
 namespace cleave::support {
 namespace {
 
@@ -329,10 +331,7 @@ std::map<std::vector<VertexId>, std::size_t> ridge_degrees(std::span<const Cell<
   template std::size_t used_vertices<D>(std::span<const Cell<D>>);                                \
   template std::map<std::vector<VertexId>, std::size_t> ridge_degrees<D>(                         \
       std::span<const Cell<D>>, std::span<const HalfFacetId>);
-CLEAVE_INSTANTIATE(1)
-CLEAVE_INSTANTIATE(2)
-CLEAVE_INSTANTIATE(3)
-CLEAVE_INSTANTIATE(4)
+CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
 
 }  // namespace cleave::support
