@@ -31,6 +31,7 @@ int check_meshes(const CheckOptions& options) {
       progress.stage("checking " + path);
       reports.push_back(check_mesh(mesh, options.required));
       progress.clear();
+      for (const std::string& note : mesh.dropped) warn(note);
       if (options.json != "-") print(text_of(reports.back(), kShownPerRule, !options.quiet));
       return reports.back().errors() == 0 ? kFine : kFindings;
     });

@@ -13,7 +13,7 @@ namespace {
 
 // Refuses before anything is done what OUT cannot be.
 void require_format(const CutOptions& options) {
-  if (format_of(options.out) == MeshFormat::kMedit && options.cohesive)
+  if (output_format_of(options.out) == MeshFormat::kMedit && options.cohesive)
     throw InputError("'" + options.out +
                      "': Medit files hold no cohesive elements; write .msh, .vtu, .vtk or .inp");
 }
@@ -25,6 +25,7 @@ int run_cut(const CutOptions& options) {
   const Mesh mesh = read_mesh(options.mesh);
   const CutResult result = cut_mesh(mesh, options, progress);
   progress.clear();
+  for (const std::string& note : mesh.dropped) warn(note);
   for (const std::string& warning : result.warnings) warn(warning);
 
   // All of them appear, or none.

@@ -37,6 +37,13 @@ MeshFormat format_of(const std::filesystem::path& path) {
                    "; mesh files are .mesh (Medit), .msh (gmsh), .vtu and .vtk (VTK)");
 }
 
+MeshFormat output_format_of(const std::filesystem::path& path) {
+  if (is_gzip_name(path))
+    throw InputError("'" + path.string() + "': compressed files are read, not written; write '" +
+                     unpacked(path).string() + "' and compress it with gzip");
+  return format_of(path);
+}
+
 namespace {
 
 Mesh read_format(const std::filesystem::path& path, MeshFormat format) {
@@ -102,10 +109,7 @@ Mesh read_mesh(const std::filesystem::path& path) {
 
 void write_mesh(OutputFiles& files, const std::filesystem::path& path, const Mesh& mesh,
                 const WriteOptions& options) {
-  const MeshFormat format = format_of(path);
-  if (is_gzip_name(path))
-    throw InputError("'" + path.string() + "': compressed files are read, not written; write '" +
-                     unpacked(path).string() + "' and compress it with gzip");
+  const MeshFormat format = output_format_of(path);
   if (format != MeshFormat::kGmsh && (options.msh_version || options.binary))
     throw InputError("'" + path.string() +
                      "': a version or a form, text or binary, can be chosen for .msh files only");

@@ -15,6 +15,9 @@ enum class MeshFormat { kMedit, kGmsh, kVtu, kVtk };
 /// none.
 MeshFormat format_of(const std::filesystem::path& path);
 
+/// The same for a file to write: throws InputError for `.gz` too, which is read and not written.
+MeshFormat output_format_of(const std::filesystem::path& path);
+
 /// Reads a mesh file; the extension names the format: `.mesh` (Medit), `.msh` (gmsh 2.2 and 4.1,
 /// text and binary), `.vtu` and `.vtk` (VTK unstructured grids); `.mesh.gz` and `.msh.gz` are the
 /// same, compressed by gzip. Names of groups are taken from `PATH.groups.json` where the format has

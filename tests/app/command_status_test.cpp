@@ -29,6 +29,24 @@ TEST(Guarded, TurnsWhatIsThrownIntoTheDocumentedStatus) {
   EXPECT_EQ(guarded([]() -> int { throw std::runtime_error("surprise"); }), kBroken);
 }
 
+class Dropped : public CommandTest {};
+
+TEST_F(Dropped, WhatAMeshCannotHoldIsAWarning) {
+  write("m.msh",
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n"
+        "$Elements\n1\n1 2 2 0 1 1 2 3\n$EndElements\n$Custom\n$EndCustom\n");
+  for (const std::vector<std::string>& args :
+       {std::vector<std::string>{"check", "m.msh"}, {"cut", "m.msh", "--all", "-o", "o.msh"}}) {
+    const Outcome outcome = cleave(args);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("warning: m.msh:14: the section $Custom"), std::string::npos)
+        << outcome.err;
+  }
+  const Outcome packed = cleave({"cut", "m.msh", "--all", "-o", "o.msh.gz"});
+  EXPECT_EQ(packed.status, 3);
+  EXPECT_NE(packed.err.find("write 'o.msh' and compress it with gzip"), std::string::npos);
+}
+
 class Reproducer : public CommandTest {};
 
 TEST_F(Reproducer, HoldsWhatIsNeededToDoTheCutAgain) {
