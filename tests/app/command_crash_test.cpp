@@ -28,7 +28,9 @@ struct Scenario {
   bool in_place = false;                // the output is the input
 };
 
-void PrintTo(const Scenario& scenario, std::ostream* out) { *out << scenario.name; }
+std::ostream& operator<<(std::ostream& out, const Scenario& scenario) {
+  return out << scenario.name;
+}
 
 /// The name of a temporary file, or of one in a temporary folder.
 bool is_temporary(const std::string& path) { return path.find(".cleave-") != std::string::npos; }
@@ -63,7 +65,7 @@ class Crash : public CommandTest, public testing::WithParamInterface<Scenario> {
   /// Runs the scenario with this CLEAVE_FAULT. Returns the call that was hit, empty if none was.
   std::string run_with(const std::string& fault, bool named, Outcome& outcome) const {
     const std::string log = folder_.string() + ".log";
-    std::vector<std::string> faulty{"env", "LD_PRELOAD=" CLEAVE_FAULT_SHIM,
+    std::vector<std::string> faulty{"env", std::string("LD_PRELOAD=") + CLEAVE_FAULT_SHIM,
                                     "ASAN_OPTIONS=verify_asan_link_order=0",
                                     "CLEAVE_FAULT_LOG=" + log, "CLEAVE_FAULT=" + fault};
     if (named) faulty.emplace_back("CLEAVE_FAULT_NAMED=1");

@@ -11,6 +11,7 @@ const cleave::fuzz::Target* chosen = nullptr;
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer gives the name
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
   const char* name = std::getenv("CLEAVE_FUZZ_TARGET");
   chosen = cleave::fuzz::find_target(name == nullptr ? "" : name);
@@ -22,6 +23,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
   std::exit(1);
 }
 
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer gives the name
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   chosen->run({bytes, size});
   return 0;

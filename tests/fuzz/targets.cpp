@@ -7,10 +7,12 @@ namespace cleave::fuzz {
 namespace {
 
 constexpr std::array kTargets{
-    Target{"medit", [](Bytes bytes) { fuzz_mesh(".mesh", bytes); }},
-    Target{"msh", [](Bytes bytes) { fuzz_mesh(".msh", bytes); }},
-    Target{"vtk", [](Bytes bytes) { fuzz_mesh(".vtk", bytes); }},
-    Target{"vtu", [](Bytes bytes) { fuzz_mesh(".vtu", bytes); }},
+    Target{"medit", [](Bytes bytes) { fuzz_mesh(".mesh", Keeps::everything, bytes); }},
+    Target{"msh", [](Bytes bytes) { fuzz_mesh(".msh", Keeps::everything, bytes); }},
+    Target{"vtk", [](Bytes bytes) { fuzz_mesh(".vtk", Keeps::everything, bytes); }},
+    Target{"vtu", [](Bytes bytes) { fuzz_mesh(".vtu", Keeps::everything, bytes); }},
+    Target{"tetgen", [](Bytes bytes) { fuzz_mesh(".ele", Keeps::cells, bytes); }},
+    Target{"abaqus", [](Bytes bytes) { fuzz_mesh(".inp", Keeps::cells, bytes); }},
     Target{"request", fuzz_request},
     Target{"scene", fuzz_scene},
     Target{"topology", fuzz_topology},

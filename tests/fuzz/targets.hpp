@@ -5,7 +5,10 @@
 
 namespace cleave::fuzz {
 
-void fuzz_mesh(const std::string& extension, Bytes bytes);
+/// What a format keeps of a mesh that was read from it.
+enum class Keeps { everything, cells };
+
+void fuzz_mesh(const std::string& extension, Keeps keeps, Bytes bytes);
 void fuzz_request(Bytes bytes);
 void fuzz_scene(Bytes bytes);
 void fuzz_topology(Bytes bytes);
