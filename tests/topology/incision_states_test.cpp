@@ -259,7 +259,7 @@ class Sequence {
     // Data that is copied and must be equal where it is merged: the original of each vertex.
     std::vector<VertexId> followed(vertices_before);
     for (std::uint32_t v = 0; v < vertices_before; ++v) followed[v] = incision_.original({v});
-    const Relabelling change = action();
+    Relabelling change = action();
     follow(step);
     RC_ASSERT(change.vertices_before == vertices_before);
     RC_ASSERT(change.vertices_after == incision_.complex().vertex_count());
