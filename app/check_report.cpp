@@ -1,28 +1,70 @@
 #include "check_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
 
 #include "body.hpp"
+#include "cleave/topology/betti.hpp"
 #include "cleave/topology/check.hpp"
+#include "coincident_vertices.hpp"
 #include "edge_nodes.hpp"
 #include "file_words.hpp"
 #include "geometry_check.hpp"
 
 namespace cleave::app {
 
-std::size_t CheckReport::errors() const {
-  return static_cast<std::size_t>(
-      std::count_if(findings.begin(), findings.end(),
-                    [](const Finding& f) { return f.severity == Severity::error; }));
+std::size_t CheckReport::count(Severity severity) const {
+  return static_cast<std::size_t>(std::count_if(
+      findings.begin(), findings.end(), [&](const Finding& f) { return f.severity == severity; }));
 }
 
 namespace {
 
+// About as much work as the rest of the check of three million cells.
+constexpr topology::BettiLimits kModerate{12'000'000, 1'000'000'000};
+
 template <int D>
-CheckReport check_cells(const Mesh& mesh, topology::Level required) {
+std::optional<std::vector<std::size_t>> holes(const topology::CellSoup<D>& soup, CountHoles when) {
+  if (when == CountHoles::never) return std::nullopt;
+  const auto limits = when == CountHoles::always ? topology::BettiLimits{} : kModerate;
+  const auto betti = topology::betti_numbers(soup, limits);
+  if (!betti) return std::nullopt;
+  return std::vector<std::size_t>(betti->begin(), betti->end());
+}
+
+// The rules that topology::check does not come to while there are these violations.
+std::vector<std::string> undecided_by(const std::vector<topology::Violation>& violations) {
+  bool unsound = false, crowded = false;
+  for (const auto& violation : violations) {
+    const std::string_view rule = topology::rule(violation);
+    unsound = unsound || rule == "degenerate-cell" || rule == "vertex-out-of-range";
+    crowded = crowded || rule == "duplicate-cell" || rule == "facet-in-three-cells";
+  }
+  std::vector<std::string> undecided;
+  if (unsound) undecided = {"duplicate-cell", "facet-in-three-cells"};
+  if (unsound || crowded)
+    undecided.insert(undecided.end(), {"orientation-conflict", "non-orientable", "not-cut-regular",
+                                       "pinched-edge", "bad-vertex-link"});
+  return undecided;
+}
+
+void apply_severities(std::vector<Finding>& findings, const CheckSettings& settings) {
+  for (Finding& finding : findings) {
+    const auto chosen = settings.severity.find(finding.rule);
+    if (chosen != settings.severity.end()) finding.severity = chosen->second;
+  }
+  findings.erase(std::remove_if(findings.begin(), findings.end(),
+                                [](const Finding& f) { return f.severity == Severity::off; }),
+                 findings.end());
+}
+
+template <int D>
+CheckReport check_cells(const Mesh& mesh, const CheckSettings& settings) {
   const auto soup = soup_of<D>(mesh);
   auto violations = topology::check(soup, topology::Level::manifold);
   const std::vector<bool> node = edge_nodes(mesh);
@@ -35,6 +77,7 @@ CheckReport check_cells(const Mesh& mesh, topology::Level required) {
                    violations.end());
   const auto nodes = static_cast<std::size_t>(std::count(node.begin(), node.end(), true));
   CheckReport report{mesh.source,
+                     {},
                      D,
                      soup.cells.size(),
                      mesh.points.size() - nodes,
@@ -42,53 +85,91 @@ CheckReport check_cells(const Mesh& mesh, topology::Level required) {
                      mesh.cohesive.size(),
                      topology::level_reached(D, violations),
                      {},
-                     topology::summarize(soup)};
+                     topology::summarize(soup),
+                     holes<D>(soup, settings.betti),
+                     undecided_by(violations)};
+  const auto add = [&](std::vector<Finding> findings) {
+    std::move(findings.begin(), findings.end(), std::back_inserter(report.findings));
+  };
   for (const auto& violation : violations)
-    report.findings.push_back(finding_of(violation, mesh, required));
-  for (Finding& finding : check_edge_nodes(mesh)) report.findings.push_back(std::move(finding));
-  for (Finding& finding : check_geometry(mesh)) report.findings.push_back(std::move(finding));
+    report.findings.push_back(finding_of(violation, mesh, settings.required));
+  add(check_edge_nodes(mesh));
+  add(check_geometry(mesh, settings.flat_ratio));
+  add(check_coincident(mesh, settings.coincident_distance));
+  apply_severities(report.findings, settings);
   return report;
+}
+
+std::string line(const CheckReport& report, const Finding& finding) {
+  return fmt::format("{}: {}: {}: {}\n", report.source, name(finding.severity), finding.rule,
+                     finding.message);
+}
+
+std::string line_on_the_whole(const CheckReport& report) {
+  std::string text = fmt::format("{}: dimension {}, {}, {}, {}, {}, Euler characteristic {}",
+                                 report.source, report.dimension, counted(report.cells, "cell"),
+                                 counted(report.vertices, "vertex", "vertices"),
+                                 counted(report.topology.pieces, "piece"),
+                                 counted(report.topology.boundary_components, "boundary component"),
+                                 report.topology.euler_characteristic);
+  if (report.betti) text += fmt::format(", Betti numbers {}", fmt::join(*report.betti, " "));
+  text += fmt::format("; level {}; {}, {}", topology::name(report.level),
+                      counted(report.count(Severity::error), "error"),
+                      counted(report.count(Severity::warning), "warning"));
+  if (const std::size_t notes = report.count(Severity::note); notes > 0)
+    text += ", " + counted(notes, "note");
+  return text + '\n';
 }
 
 }  // namespace
 
-CheckReport check_mesh(const Mesh& mesh, topology::Level required) {
-  if (mesh.dimension == 1) return check_cells<1>(mesh, required);
-  if (mesh.dimension == 2) return check_cells<2>(mesh, required);
-  return check_cells<3>(mesh, required);
+CheckReport check_mesh(const Mesh& mesh, const CheckSettings& settings) {
+  if (mesh.dimension == 1) return check_cells<1>(mesh, settings);
+  if (mesh.dimension == 2) return check_cells<2>(mesh, settings);
+  return check_cells<3>(mesh, settings);
 }
 
 std::string text_of(const CheckReport& report, std::size_t at_most, bool summary) {
-  std::map<std::string, std::size_t> of_rule;
+  std::map<std::string, std::size_t> of_rule, shown;
   for (const Finding& finding : report.findings) ++of_rule[finding.rule];
-
   std::string text;
-  std::map<std::string, std::size_t> shown;
   for (const Finding& finding : report.findings) {
-    const char* severity = finding.severity == Severity::error ? "error" : "warning";
     const std::size_t count = ++shown[finding.rule];
     if (count <= at_most)
-      text +=
-          fmt::format("{}: {}: {}: {}\n", report.source, severity, finding.rule, finding.message);
+      text += line(report, finding);
     else if (count == of_rule[finding.rule])
       text += fmt::format("{}: {}: {}: {} more like these; --json lists them all\n", report.source,
-                          severity, finding.rule, count - at_most);
+                          name(finding.severity), finding.rule, count - at_most);
   }
-  if (!summary) return text;
-  const std::size_t errors = report.errors(), warnings = report.findings.size() - errors;
-  return text + fmt::format(
-                    "{}: dimension {}, {}, {}{}{}, {}, {}, Euler characteristic {}; level {}; "
-                    "{}, {}\n",
-                    report.source, report.dimension, counted(report.cells, "cell"),
-                    counted(report.vertices, "vertex", "vertices"),
-                    report.edge_nodes == 0 ? ""
-                                           : fmt::format(", second order ({} on edges)",
-                                                         counted(report.edge_nodes, "node")),
-                    report.cohesive == 0 ? "" : ", " + counted(report.cohesive, "cohesive element"),
-                    counted(report.topology.pieces, "piece"),
-                    counted(report.topology.boundary_components, "boundary component"),
-                    report.topology.euler_characteristic, topology::name(report.level),
-                    counted(errors, "error"), counted(warnings, "warning"));
+  if (!report.undecided.empty())
+    text += fmt::format("{}: undecided until these are mended: {}\n", report.source,
+                        fmt::join(report.undecided, ", "));
+  return summary ? text + line_on_the_whole(report) : text;
+}
+
+std::string closing_text(const std::vector<CheckReport>& reports, std::size_t excluded) {
+  std::set<std::string> met;
+  std::size_t unreadable = 0, objected = 0, errors = 0, warnings = 0, notes = 0;
+  for (const CheckReport& report : reports) {
+    for (const Finding& finding : report.findings) met.insert(finding.rule);
+    unreadable += report.unreadable.empty() ? 0 : 1;
+    objected += report.count(Severity::error) > 0 ? 1 : 0;
+    errors += report.count(Severity::error);
+    warnings += report.count(Severity::warning);
+    notes += report.count(Severity::note);
+  }
+  std::string text;
+  if (!met.empty())
+    text += fmt::format("what these mean and how to mend them: cleave check --explain {}\n",
+                        fmt::join(met, " "));
+  if (reports.size() == 1 && excluded == 0) return text;
+  text += counted(reports.size(), "mesh", "meshes") + " checked";
+  if (unreadable > 0) text += fmt::format(", {} of them cannot be read", unreadable);
+  if (excluded > 0) text += fmt::format(", {} excluded", excluded);
+  text += fmt::format(": {} in {}, {}", counted(errors, "error"),
+                      counted(objected, "mesh", "meshes"), counted(warnings, "warning"));
+  if (notes > 0) text += ", " + counted(notes, "note");
+  return text + '\n';
 }
 
 }  // namespace cleave::app

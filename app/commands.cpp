@@ -17,12 +17,7 @@ namespace cleave::app {
 namespace {
 
 // Nobody can be told when standard error takes nothing, so that is no failure.
-void complain(const std::string& text) { std::fputs((text + '\n').c_str(), stderr); }
-
-int fail(ExitStatus status, const std::string& text) {
-  complain("cleave: error: " + text);
-  return status;
-}
+void print_on_stderr(const std::string& text) { std::fputs((text + '\n').c_str(), stderr); }
 
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code ignored;
@@ -35,23 +30,35 @@ bool same_file(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-int guarded(const Action& action) {
+std::optional<Failure> attempt(const std::function<void()>& action) {
   try {
-    return action();
+    action();
+    return std::nullopt;
   } catch (const InputError& e) {
-    return fail(kBadInput, e.what());
+    return Failure{kBadInput, e.what()};
   } catch (const OutputError& e) {
-    return fail(kBadInput, e.what());
+    return Failure{kBadInput, e.what()};
   } catch (const std::length_error& e) {
-    return fail(kBadInput, fmt::format("{}; divide the mesh", e.what()));
+    return Failure{kBadInput, fmt::format("{}; divide the mesh", e.what())};
   } catch (const std::bad_alloc&) {
-    return fail(kBadInput, "there is not enough memory for this mesh; use a machine with more");
+    return Failure{kBadInput, "there is not enough memory for this mesh; use a machine with more"};
   } catch (const std::exception& e) {
-    return fail(kBroken, fmt::format("a defect of cleave, please report it: {}", e.what()));
+    return Failure{kBroken, fmt::format("a defect of cleave, please report it: {}", e.what())};
   }
 }
 
-void warn(const std::string& text) { complain("cleave: warning: " + text); }
+int complain(const Failure& failure) {
+  print_on_stderr("cleave: error: " + failure.text);
+  return failure.status;
+}
+
+int guarded(const Action& action) {
+  int status = kFine;
+  const auto failure = attempt([&] { status = action(); });
+  return failure ? complain(*failure) : status;
+}
+
+void warn(const std::string& text) { print_on_stderr("cleave: warning: " + text); }
 
 void refuse_report_onto(const std::string& report, const std::vector<std::string>& files) {
   if (report.empty() || report == "-") return;

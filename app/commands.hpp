@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,18 @@ void add_reduce_command(CLI::App& cleave, Action& chosen);
 /// OutputError, too many cells and too little memory into kBadInput; anything else, which is a
 /// defect of ours, into kBroken.
 int guarded(const Action& action);
+
+/// Why an action did not come to its end.
+struct Failure {
+  int status;        // the exit status
+  std::string text;  // what, where, what to do
+};
+
+/// Does `action`; what it throws, as `guarded` sees it.
+std::optional<Failure> attempt(const std::function<void()>& action);
+
+/// Prints "cleave: error: .." on stderr and returns the status.
+int complain(const Failure& failure);
 
 /// Prints "cleave: warning: .." on stderr.
 void warn(const std::string& text);

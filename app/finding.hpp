@@ -7,10 +7,9 @@
 
 #include "cleave/topology/violation.hpp"
 #include "mesh.hpp"
+#include "severity.hpp"
 
 namespace cleave::app {
-
-enum class Severity { warning, error };
 
 /// What a witness is made of: a number of the file, a list of them, a list of lists, a measure, or
 /// a word.
@@ -20,7 +19,7 @@ using WitnessValue =
 
 /// One thing that is wrong with a mesh: a witness first, a message second.
 struct Finding {
-  std::string rule;  // as docs/checks.md lists them
+  std::string rule;  // a name of check_rules.hpp
   Severity severity = Severity::error;
   std::string message;                                        // one line, the file's own numbers
   std::vector<std::pair<std::string, WitnessValue>> witness;  // by key, the file's own numbers

@@ -86,7 +86,7 @@ Finding about_cell(const Mesh& mesh, std::uint32_t cell, const char* rule, doubl
 
 }  // namespace
 
-std::vector<Finding> check_geometry(const Mesh& mesh) {
+std::vector<Finding> check_geometry(const Mesh& mesh, double flat_ratio) {
   std::vector<Finding> not_finite_ones, inverted, flat;
   std::vector<bool> finite(mesh.points.size(), true);
   for (std::uint32_t v = 0; v < mesh.points.size(); ++v)
@@ -109,7 +109,7 @@ std::vector<Finding> check_geometry(const Mesh& mesh) {
     if (!sound) continue;
     const int sign = cell.sign(planar);
     const double height = sign == 0 ? 0 : cell.least_height(cell.longest_edge());
-    if (height < kFlatHeight)
+    if (sign == 0 || height < flat_ratio)
       flat.push_back(about_cell(mesh, c, "flat-cell", height));
     else if (sign < 0)
       inverted.push_back(about_cell(mesh, c, "inverted-cell", height));
