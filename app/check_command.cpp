@@ -176,8 +176,10 @@ void add_settings(CLI::App& check, CheckOptions& options) {
       ->option_text("LEVEL");
   check
       .add_option("--severity", options.severities,
-                  "Report findings of a rule as error, warning or note, or not at all (off)")
-      ->option_text("RULE=SEVERITY..");
+                  "Report findings of a rule as error, warning or note, or not at all (off); may "
+                  "be repeated")
+      ->allow_extra_args(false)  // what follows is a mesh
+      ->option_text("RULE=SEVERITY");
   add_choice<CountHoles>(check, "--betti", options.betti,
                          {{"automatic", CountHoles::automatic},
                           {"always", CountHoles::always},
@@ -187,8 +189,10 @@ void add_settings(CLI::App& check, CheckOptions& options) {
       ->option_text("WHEN");
   check
       .add_option("--exclude", options.exclude,
-                  "Leave out files and folders whose name, or path if it has a /, matches")
-      ->option_text("GLOB..");
+                  "Leave out files and folders whose name, or path if it has a /, matches; may be "
+                  "repeated")
+      ->allow_extra_args(false)
+      ->option_text("GLOB");
   auto* config = check.add_option("--config", options.config,
                                   "Settings from this file instead of .cleave-check.json here or "
                                   "in a folder above");

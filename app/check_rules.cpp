@@ -25,6 +25,19 @@ constexpr std::array kRules = {
          "have three sides.",
          "Delete one of the two; often a part was exported twice.",
          "Sort the vertices of the two cells of the witness: the lists are equal."},
+    Rule{"bad-edge-node", "nodes of second order and edges do not belong together", "Cells",
+         "error", Severity::error,
+         "In a mesh of second order each edge has one node besides its two ends, the same in all "
+         "its "
+         "cells. Here an element lacks its nodes, or a node is missing, is the end of an edge as "
+         "well, or serves two edges, or an edge has two nodes.",
+         "The shape of neighbouring cells differs along their common edge: displacements tear "
+         "there, "
+         "and a cut cannot carry the nodes along.",
+         "Make the mesh of second order from that of first order once more, and merge vertices "
+         "before, not after.",
+         "Look up the elements that have the edge of the witness: their nodes on it differ, or the "
+         "node of the witness is listed by them on different edges."},
     Rule{
         "facet-in-three-cells", "a facet belongs to three cells or more", "Facets", "error",
         Severity::error,

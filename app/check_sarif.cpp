@@ -5,9 +5,12 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 
 #include "check_report.hpp"
 #include "check_rules.hpp"
+#include "file_lines.hpp"
 #include "finding_json.hpp"
 
 namespace cleave::app {
@@ -94,10 +97,39 @@ Json location(const std::string& file) {
   return {{"physicalLocation", {{"artifactLocation", artifact}}}};
 }
 
-Json result(const CheckReport& report, const Finding& finding, std::size_t more) {
+// The first cell, else the first vertex that a witness names.
+struct FirstNamed {
+  std::optional<std::uint64_t> cell, vertex;
+
+  explicit FirstNamed(const Finding& finding) {
+    for (const auto& [key, value] : finding.witness) {
+      auto& place = key == "cell" || key == "cells" ? cell : vertex;
+      if (place || !is_named(key)) continue;
+      if (const auto* one = std::get_if<std::uint64_t>(&value)) place = *one;
+      if (const auto* many = std::get_if<std::vector<std::uint64_t>>(&value);
+          many && !many->empty())
+        place = many->front();
+    }
+    if (cell) vertex.reset();
+  }
+
+ private:
+  static bool is_named(const std::string& key) {
+    return key == "cell" || key == "cells" || key == "vertex" || key == "vertices" ||
+           key == "node" || key == "nodes";
+  }
+};
+
+Json result(const CheckReport& report, const Finding& finding, const FileLines& lines,
+            std::size_t more) {
   std::string message = finding.message;
   if (more > 0) message += fmt::format(" (and {} more like this)", more);
   Json where = location(report.source);
+  const FirstNamed first(finding);
+  const auto& of_kind = first.cell ? lines.cells : lines.vertices;
+  const auto line = of_kind.find(first.cell ? *first.cell : first.vertex.value_or(0));
+  if ((first.cell || first.vertex) && line != of_kind.end())
+    where["physicalLocation"]["region"] = {{"startLine", line->second}};
   if (Json named = logical_locations(finding); !named.empty())
     where["logicalLocations"] = std::move(named);
   const Json witness = json_of_witness(finding);
@@ -112,12 +144,20 @@ Json result(const CheckReport& report, const Finding& finding, std::size_t more)
 
 void add_results(const CheckReport& report, std::size_t at_most, Json& results) {
   std::map<std::string, std::size_t> of_rule, given;
-  for (const Finding& finding : report.findings) ++of_rule[finding.rule];
+  std::vector<const Finding*> kept;
+  std::set<std::uint64_t> cells, vertices;
   for (const Finding& finding : report.findings) {
-    const std::size_t count = ++given[finding.rule];
-    if (count > at_most) continue;
+    if (++of_rule[finding.rule] > at_most) continue;
+    kept.push_back(&finding);
+    const FirstNamed first(finding);
+    if (first.cell) cells.insert(*first.cell);
+    if (first.vertex) vertices.insert(*first.vertex);
+  }
+  const FileLines lines = find_lines(report.source, report.dimension, cells, vertices);
+  for (const Finding* finding : kept) {
+    const std::size_t count = ++given[finding->rule];
     results.push_back(
-        result(report, finding, count == at_most ? of_rule[finding.rule] - at_most : 0));
+        result(report, *finding, lines, count == at_most ? of_rule[finding->rule] - at_most : 0));
   }
 }
 

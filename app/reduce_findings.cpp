@@ -29,8 +29,10 @@ std::vector<std::uint32_t> places(const Finding& finding, const std::set<std::st
 
 }  // namespace
 
-KnownFindings::KnownFindings(const Mesh& mesh, topology::Level required)
-    : required_(required), report_(check_mesh(mesh, required)) {
+KnownFindings::KnownFindings(const Mesh& mesh, topology::Level required) {
+  settings_.required = required;
+  settings_.betti = CountHoles::never;
+  report_ = check_mesh(mesh, settings_);
   for (const Finding& finding : report_.findings) rules_.insert(finding.rule);
   for (std::uint32_t v = 0; v < mesh.vertex_numbers.size(); ++v)
     vertex_at_.emplace(mesh.vertex_numbers[v], v);
@@ -39,7 +41,7 @@ KnownFindings::KnownFindings(const Mesh& mesh, topology::Level required)
 }
 
 std::vector<Finding> KnownFindings::of(const SubMesh& part) const {
-  return check_mesh(part.mesh, required_).findings;
+  return check_mesh(part.mesh, settings_).findings;
 }
 
 std::vector<std::uint32_t> KnownFindings::vertices(const Finding& finding) const {

@@ -34,7 +34,7 @@ class KnownFindings {
   std::vector<std::uint32_t> blame(const std::vector<Finding>& findings, bool& any) const;
 
  private:
-  topology::Level required_;
+  CheckSettings settings_;
   CheckReport report_;
   std::set<std::string> rules_;
   std::unordered_map<std::uint64_t, std::uint32_t> vertex_at_, cell_at_;  // by the file's number

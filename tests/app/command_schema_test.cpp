@@ -45,6 +45,10 @@ TEST_F(Schema, HoldsForCheckReportsWithEveryRule) {
       medit(points, {}, {{1, 2, 3, 4, 0}, {1, 3, 2, 5, 0}, {1, 2, 3, 7, 0}}),
       "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 nan 0 0\n0 1 0 0\n0 0 1 0\n"
       "Tetrahedra\n1\n1 2 3 4 0\nEnd\n",
+      medit(
+          {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {5, 0, 0}, {0, 5, 0}, {0, 0, 5}},
+          {}, {{1, 2, 3, 4, 0}, {5, 6, 7, 8, 0}}),
+      "no mesh",
       suspended_annulus(),
       solid_band(6)};
   std::vector<std::string> all{"check", data("liver-16k.mesh")};
@@ -62,17 +66,41 @@ TEST_F(Schema, HoldsForCheckReportsWithEveryRule) {
   std::set<std::string> rules;
   json reports = json::parse(read("all.json"));
   for (const json& report : reports)
-    for (const json& violation : report["violations"]) rules.insert(violation["rule"]);
-  EXPECT_EQ(rules,
-            (std::set<std::string>{"degenerate-cell", "duplicate-cell", "facet-in-three-cells",
-                                   "orientation-conflict", "non-orientable", "not-cut-regular",
-                                   "pinched-edge", "bad-vertex-link", "orphan-vertex",
-                                   "inverted-cell", "flat-cell", "not-finite"}));
+    if (report.contains("violations"))
+      for (const json& violation : report["violations"]) rules.insert(violation["rule"]);
+  EXPECT_EQ(rules, (std::set<std::string>{"degenerate-cell", "duplicate-cell",
+                                          "facet-in-three-cells", "orientation-conflict",
+                                          "non-orientable", "not-cut-regular", "pinched-edge",
+                                          "bad-vertex-link", "orphan-vertex", "inverted-cell",
+                                          "flat-cell", "not-finite", "coincident-vertices"}));
   reports[0]["violations"][0]["rule"] = "bad-luck";
   expect_invalid("cleave-check-1", reports.dump());
   reports[0]["violations"][0]["rule"] = "not-cut-regular";
   reports[0]["violations"][0]["witness"].erase("parts");
   expect_invalid("cleave-check-1", reports.dump());
+}
+
+TEST_F(Schema, AllowsTheConfigurationsThatCheckTakes) {
+  write("m.mesh", two_tetrahedra());
+  const auto status = [&](const std::string& text) {
+    write("c.json", text);
+    return cleave({"check", "m.mesh", "--config", "c.json"}).status;
+  };
+  for (
+      const std::string text :
+      {R"({})",
+       R"({"comment": ["two", "lines"], "severity": {"flat-cell": "off"}, "betti": "never"})",
+       R"({"require": "manifold", "flat_ratio": 1e-6, "coincident_distance": 0, "max_findings": 3})",
+       R"({"exclude": ["a*"], "overrides": [{"files": ["b"], "severity": {}, "comment": "x"}]})"}) {
+    EXPECT_EQ(status(text), 0) << text;
+    expect_valid("cleave-check-config-1", "c.json");
+  }
+  for (const std::string text :
+       {R"({"flat-ratio": 1})", R"({"severity": {"flat": "off"}})", R"({"betti": true})",
+        R"({"max_findings": -1})", R"({"overrides": [{}]})", R"([])"}) {
+    EXPECT_EQ(status(text), 3) << text;
+    expect_invalid("cleave-check-config-1", text);
+  }
 }
 
 TEST_F(Schema, HoldsForCutReports) {

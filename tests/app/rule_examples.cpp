@@ -46,11 +46,11 @@ Mesh moebius_band() {
 
 // The cone of a ring of six triangles.
 Mesh cone_of_a_ring() {
-  Points points = {{0, 0, 1.1}};
-  for (const double radius : {0.55, 1.4})
+  Points points = {{0, 0, 1.3}};
+  for (const double radius : {0.75, 1.6})
     for (int i = 0; i < 3; ++i)
-      points.push_back(
-          {radius * std::cos(2 * M_PI * i / 3), radius * std::sin(2 * M_PI * i / 3), 0});
+      points.push_back({radius * std::cos(2 * M_PI * i / 3 + 0.4),
+                        radius * std::sin(2 * M_PI * i / 3 + 0.4), 0});
   Cells cells;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const std::uint32_t a = 2 + i, b = 2 + (i + 1) % 3, c = a + 3, d = b + 3;
@@ -111,15 +111,16 @@ std::vector<RuleExample> rule_examples() {
                {{1, 2, 3, 4}, {1, 2, 6, 5}}),
        "Two tetrahedra that touch in an edge"},
       {"bad-vertex-link", cone_of_a_ring(),
-       "Six tetrahedra around an apex, above a ring of triangles: a funnel seen from inside is the "
-       "link of vertex 1"},
+       "Six tetrahedra that join a ring of six triangles to an apex; the ring is the link of "
+       "vertex 1"},
       {"orphan-vertex", mesh_of({{0, 0, 0}, {1, 0, 0}, {0.5, 0.8, 0}, {1.6, 0.5, 0}}, {{1, 2, 3}}),
        "A triangle, and a vertex that it does not use"},
       {"inverted-cell",
-       mesh_of({{0, 0, 0}, {1.6, 0, 0}, {0.8, 1.2, 0}, {0.6, 0.4, 0}}, {{1, 2, 3}, {2, 4, 3}}),
+       mesh_of({{0, 0, 0}, {1.6, 0, 0}, {0.8, 1.2, 0}, {0.9, 0.42, 0}}, {{1, 2, 3}, {2, 4, 3}}),
        "Two triangles; vertex 4 was moved across the edge they share"},
       {"flat-cell",
-       mesh_of({{0, 0, 0}, {2, 0, 0}, {0.9, 0, 0}, {1, 0.9, 0}}, {{1, 3, 4}, {3, 2, 4}, {1, 2, 3}}),
+       mesh_of({{0, 0, 0}, {2, 0, 0}, {0.5, 0, 0}, {0.9, 0.9, 0}},
+               {{1, 3, 4}, {3, 2, 4}, {1, 2, 3}}),
        "Three triangles; the vertices of the third are on one line"},
       {"not-finite",
        mesh_of({{0, 0, 0}, {1, 0, 0}, {0.5, 0.8, 0}, {1.7, kNan, 0}}, {{1, 2, 3}, {2, 4, 3}}),

@@ -36,7 +36,7 @@ constexpr double kWidth = 480, kHeight = 300, kMargin = 48;
 // Where each vertex is on the paper.
 std::vector<Spot> project(const Mesh& mesh, const std::vector<std::array<double, 3>>& points) {
   const bool from_above = is_planar(mesh);
-  constexpr double kYaw = -0.5, kPitch = 0.45;
+  constexpr double kYaw = -0.5, kPitch = 0.55;
   std::vector<Spot> spots;
   for (const auto& p : points) {
     const double along = std::cos(kYaw) * p[0] + std::sin(kYaw) * p[1];
@@ -123,15 +123,21 @@ class Picture {
     return 1.0 / static_cast<double>(corners()) * sum;
   }
 
+  std::set<std::uint32_t> vertices_of(std::size_t cell) const {
+    const auto* first = &mesh_.cells().vertices[corners() * cell];
+    return {first, first + corners()};
+  }
+  bool repeated_later(std::size_t cell) const {
+    for (std::size_t later = cell + 1; later < mesh_.cells().size(); ++later)
+      if (vertices_of(later) == vertices_of(cell)) return true;
+    return false;
+  }
+
   // The corners of a cell, drawn towards its centre; of one that repeats another, more so.
   std::vector<Spot> drawn(std::size_t cell) const {
-    const auto set = [&](std::size_t c) {
-      const auto* first = &mesh_.cells().vertices[corners() * c];
-      return std::set<std::uint32_t>(first, first + corners());
-    };
     double size = 0.92;
     for (std::size_t other = 0; other < cell; ++other)
-      if (set(other) == set(cell)) size -= 0.3;
+      if (vertices_of(other) == vertices_of(cell)) size -= 0.4;
     std::vector<Spot> spots;
     for (std::size_t i = 0; i < corners(); ++i)
       spots.push_back(size * spots_[place(cell, i)] + (1 - size) * centre(cell));
@@ -219,7 +225,8 @@ class Picture {
   std::string labels() const {
     std::string text;
     for (std::size_t c = 0; c < mesh_.cells().size() && mesh_.cells().size() <= 8; ++c) {
-      const Spot m = centre(c);
+      // Of two cells in one place the outer one has its label at a corner.
+      const Spot m = repeated_later(c) ? 0.72 * drawn(c).back() + 0.28 * centre(c) : centre(c);
       text += label(m.x, m.y, std::to_string(mesh_.cells().numbers[c]),
                     "font-size=\"15\" font-style=\"italic\" fill=\"#33465e\"");
     }
@@ -237,11 +244,11 @@ class Picture {
       }
       const double dx = s.x - kWidth / 2, dy = s.y - kHeight / 2;
       const double length = std::max(std::hypot(dx, dy), 1.0);
-      const bool middle = length < 30;  // no room in this direction is better than another
+      const bool middle = length < 30;  // every direction is as good: to the left
       text += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\"/>\n", number(s.x),
                           number(s.y), named ? 6 : 3, named ? "#d11f2a" : "#1d2b3d");
       text +=
-          label(s.x + (middle ? 0 : 19 * dx / length), s.y + (middle ? -19 : 19 * dy / length),
+          label(s.x + (middle ? -18 : 19 * dx / length), s.y + (middle ? -8 : 19 * dy / length),
                 fmt::format("{}{}", fmt::join(numbers, ", "), known_[vertices.front()] ? "" : "?"),
                 named ? "font-size=\"17\" font-weight=\"bold\" fill=\"#d11f2a\""
                       : "font-size=\"17\" fill=\"#1d2b3d\"");

@@ -8,8 +8,9 @@ try:
 except ModuleNotFoundError:
     sys.exit(77)
 
-with open(sys.argv[1]) as schema, open(sys.argv[2]) as file:
-    validator = jsonschema.Draft202012Validator(json.load(schema))
+with open(sys.argv[1]) as schema_file, open(sys.argv[2]) as file:
+    schema = json.load(schema_file)
+    validator = jsonschema.validators.validator_for(schema)(schema)  # the draft that it names
     errors = list(validator.iter_errors(json.load(file)))
 for error in errors:
     print(f"{error.json_path}: {error.message}", file=sys.stderr)

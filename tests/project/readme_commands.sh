@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Runs every command line that README.md and docs/*.md show in a `console` block after `$ cleave`,
 # in a folder with the project's data/, in order of the page; a line `# exit N` before a command
-# states the exit status it must have (0 otherwise).
+# states the exit status it must have (0 otherwise). A `python` block that begins with `# NAME.py` is
+# the file NAME.py there.
 set -euo pipefail
 source_dir=$1 build_dir=$2
 work=$(mktemp -d)
@@ -13,6 +14,10 @@ for page in "$source_dir"/README.md "$source_dir"/docs/*.md; do
   folder="$work/$(basename "$page" .md)"
   mkdir -p "$folder"
   cp -r "$source_dir/data" "$folder/data"
+  awk -v folder="$folder" '
+    /^```python$/ { getline; name = ""; if (match($0, /^# [a-z_]+\.py/)) name = folder "/" substr($0, 3, RLENGTH - 2) }
+    /^```$/ { name = "" }
+    name != "" { print >name }' "$page"
   wanted=0
   while IFS= read -r line; do
     case "$line" in

@@ -1,12 +1,15 @@
 // Each kind of violation by hand, with its witness; what assemble throws; sizes; signs for D = 1.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <string>
 
 #include "cleave/support/defects.hpp"
 #include "cleave/support/meshes.hpp"
+#include "cleave/support/random_meshes.hpp"
 #include "cleave/topology/assemble.hpp"
 #include "cleave/topology/check.hpp"
 #include "witness.hpp"
@@ -121,6 +124,52 @@ TEST(NonOrientable, OneLoopPerPiece) {
   for (const Violation& violation : found) EXPECT_EQ(refute<2>(violation, soup), "");
   EXPECT_LT(std::get<NonOrientable>(found[0]).loop[0].value, 30U);
   EXPECT_GE(std::get<NonOrientable>(found[1]).loop[0].value, 30U);
+}
+
+/// The least number of cells in a closed chain that comes back mirrored: breadth first from every
+/// cell, from each side of a triangle to the sides of its neighbours, found by comparing all pairs.
+std::size_t shortest_mirroring_chain(const std::vector<Cell<2>>& cells) {
+  // Whether b goes along the edge it shares with a in the same direction; 2: no common edge.
+  const auto relation = [&](const Cell<2>& a, const Cell<2>& b) {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        if (a[i] == b[j] && a[(i + 1) % 3] == b[(j + 1) % 3]) return 1;
+        if (a[i] == b[(j + 1) % 3] && a[(i + 1) % 3] == b[j]) return 0;
+      }
+    return 2;
+  };
+  std::size_t shortest = SIZE_MAX;
+  for (std::size_t start = 0; start < cells.size(); ++start) {
+    std::vector<std::size_t> steps(2 * cells.size(), SIZE_MAX), queue{2 * start};
+    steps[2 * start] = 0;
+    for (std::size_t next = 0; next < queue.size(); ++next)
+      for (std::size_t c = 0; c < cells.size(); ++c) {
+        const int same = relation(cells[queue[next] / 2], cells[c]);
+        if (c == queue[next] / 2 || same == 2) continue;
+        const std::size_t to = 2 * c + (queue[next] % 2 + static_cast<std::size_t>(same)) % 2;
+        if (steps[to] != SIZE_MAX) continue;
+        steps[to] = steps[queue[next]] + 1;
+        queue.push_back(to);
+      }
+    shortest = std::min(shortest, steps[2 * start + 1]);
+  }
+  return shortest;
+}
+
+TEST(NonOrientable, TheLoopIsAShortestOne) {
+  support::Rng rng(20001126);
+  std::set<std::size_t> lengths;
+  for (int round = 0; round < 24; ++round) {
+    auto mesh = round % 2 == 0 ? support::projective_plane() : support::band(5 + 2 * (round % 5));
+    for (int i = 0; i < 4 * round; ++i) support::subdivide(mesh, rng);
+    support::scramble(mesh, rng);
+    const CellSoup<2> soup{mesh.cells, mesh.vertex_count, {}};
+    const auto loop = std::get<NonOrientable>(orient(soup));
+    EXPECT_EQ(refute<2>(loop, soup), "");
+    EXPECT_EQ(loop.loop.size(), shortest_mirroring_chain(mesh.cells)) << round;
+    lengths.insert(loop.loop.size());
+  }
+  EXPECT_GE(lengths.size(), 4u);
 }
 
 TEST(Check, NotCutRegular) {

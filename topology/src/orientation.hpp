@@ -1,11 +1,14 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "cleave/topology/violation.hpp"
 #include "facet_matching.hpp"
+#include "odd_loop.hpp"
 
 namespace cleave::topology::detail {
 
@@ -44,14 +47,22 @@ NonOrientable closed_loop(const std::vector<HalfFacetId>& mates,
   return found;
 }
 
-/// Breadth first over each piece from its least cell. Time: linear.
+/// How many sides of cells may be visited to shorten loops, per cell of the mesh and at least.
+constexpr std::size_t kStepsPerCell = 32, kLeastSteps = 1'000'000;
+
+/// Breadth first over each piece from its least cell. Every loop that no orientation is coherent
+/// along crosses a facet whose cells' signs do not fit, so that a shortest one of the piece is a
+/// shortest one through a cell at such a facet; these are searched as long as `kStepsPerCell`
+/// lasts. Time: linear.
 template <int D>
 Orientation orientation(std::span<const Cell<D>> cells, const std::vector<HalfFacetId>& mates) {
   Orientation result;
   result.signs.assign(cells.size(), 0);
   result.piece_of_cell.assign(cells.size(), 0);
   std::vector<HalfFacetId> entered_by(cells.size(), HalfFacetId{kNone});
-  std::vector<CellId> queue;
+  std::vector<CellId> queue, at_conflicts;
+  std::optional<OddLoops<D>> odd_loops;
+  std::size_t steps = std::max(kLeastSteps, kStepsPerCell * cells.size());
   for (std::uint32_t root = 0; root < cells.size(); ++root) {
     if (result.signs[root] != 0) continue;
     const auto piece = static_cast<std::uint32_t>(result.orientable.size());
@@ -73,12 +84,18 @@ Orientation orientation(std::span<const Cell<D>> cells, const std::vector<HalfFa
           result.signs[across.value] = wanted;
           entered_by[across.value] = h;
           queue.push_back(across);
-        } else if (result.signs[across.value] != wanted && result.orientable[piece]) {
+        } else if (result.signs[across.value] != wanted) {
+          if (result.orientable[piece])
+            result.loops.push_back(closed_loop<D>(mates, entered_by, h));
           result.orientable[piece] = false;
-          result.loops.push_back(closed_loop<D>(mates, entered_by, h));
+          at_conflicts.push_back(cell);  // and later the cell across
         }
       }
     }
+    if (at_conflicts.empty()) continue;
+    if (!odd_loops) odd_loops.emplace(cells, mates);
+    for (const CellId cell : at_conflicts) odd_loops->shorten(cell, result.loops.back(), steps);
+    at_conflicts.clear();
   }
   return result;
 }

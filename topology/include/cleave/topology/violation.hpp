@@ -42,7 +42,8 @@ struct OrientationConflict {
 };
 /// No choice of signs is coherent. Walk the loop to see it: leave the cell of loop[i] through
 /// loop[i] into the cell of loop[i+1] (cyclic); an odd number of these steps join tuples that
-/// induce the same orientation on the facet between them.
+/// induce the same orientation on the facet between them. The loop is a shortest one of its piece,
+/// unless the piece is so large and wound that not all candidates could be tried.
 struct NonOrientable {
   std::vector<HalfFacetId> loop;
 };
