@@ -130,14 +130,15 @@ CheckReport check_mesh(const Mesh& mesh, const CheckSettings& settings) {
 }
 
 std::string text_of(const CheckReport& report, std::size_t at_most, bool summary) {
-  std::map<std::string, std::size_t> of_rule, shown;
-  for (const Finding& finding : report.findings) ++of_rule[finding.rule];
+  std::map<std::pair<std::string, Severity>, std::size_t> of_kind, shown;
+  for (const Finding& finding : report.findings) ++of_kind[{finding.rule, finding.severity}];
   std::string text;
   for (const Finding& finding : report.findings) {
-    const std::size_t count = ++shown[finding.rule];
+    const std::pair kind(finding.rule, finding.severity);
+    const std::size_t count = ++shown[kind];
     if (count <= at_most)
       text += line(report, finding);
-    else if (count == of_rule[finding.rule])
+    else if (count == of_kind[kind])
       text += fmt::format("{}: {}: {}: {} more like these; --json lists them all\n", report.source,
                           name(finding.severity), finding.rule, count - at_most);
   }

@@ -30,8 +30,9 @@ struct CheckReport {
 /// Applies every rule to `mesh`.
 CheckReport check_mesh(const Mesh& mesh, const CheckSettings& settings);
 
-/// One line per finding ("SOURCE: error: rule: message"), of a long list of one rule the first
-/// `at_most` and a line that counts the others; at the end, with `summary`, a line on the whole.
+/// One line per finding ("SOURCE: error: rule: message"), of a long list of one rule and severity
+/// the first `at_most` and a line that counts the others; at the end, with `summary`, a line on the
+/// whole.
 std::string text_of(const CheckReport& report, std::size_t at_most, bool summary);
 
 /// After the texts of several reports: which rules to look up, and, for more than one report or if
@@ -44,8 +45,8 @@ std::string json_of(const std::vector<CheckReport>& reports);
 
 /// The reports in the Static Analysis Results Interchange Format, SARIF 2.1.0: rules with their
 /// help, results with the witness, and fingerprints that stay as long as rule and witness do. Files
-/// below the working folder are named relative to it. Of one rule and file at most `at_most`
-/// results are given; the message of the last one counts the others.
+/// below the working folder are named relative to it. Of one rule, severity and file
+/// at most `at_most` results are given; the message of the last one counts the others.
 std::string sarif_of(const std::vector<CheckReport>& reports, std::size_t at_most);
 
 /// The reports as JUnit XML: a suite per file and a case per rule, which fails if a finding of it

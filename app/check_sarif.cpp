@@ -143,11 +143,11 @@ Json result(const CheckReport& report, const Finding& finding, const FileLines& 
 }
 
 void add_results(const CheckReport& report, std::size_t at_most, Json& results) {
-  std::map<std::string, std::size_t> of_rule, given;
+  std::map<std::pair<std::string, Severity>, std::size_t> of_kind, given;
   std::vector<const Finding*> kept;
   std::set<std::uint64_t> cells, vertices;
   for (const Finding& finding : report.findings) {
-    if (++of_rule[finding.rule] > at_most) continue;
+    if (++of_kind[{finding.rule, finding.severity}] > at_most) continue;
     kept.push_back(&finding);
     const FirstNamed first(finding);
     if (first.cell) cells.insert(*first.cell);
@@ -155,9 +155,9 @@ void add_results(const CheckReport& report, std::size_t at_most, Json& results) 
   }
   const FileLines lines = find_lines(report.source, report.dimension, cells, vertices);
   for (const Finding* finding : kept) {
-    const std::size_t count = ++given[finding->rule];
-    results.push_back(
-        result(report, *finding, lines, count == at_most ? of_rule[finding->rule] - at_most : 0));
+    const std::pair kind(finding->rule, finding->severity);
+    const std::size_t more = ++given[kind] == at_most ? of_kind[kind] - at_most : 0;
+    results.push_back(result(report, *finding, lines, more));
   }
 }
 

@@ -18,6 +18,9 @@ bool is_hidden(const fs::path& path) {
 }
 
 bool is_mesh_path(const fs::path& path) {
+  std::error_code ignored;
+  if (path.extension() == ".ele" && fs::exists(fs::path(path).replace_extension(".node"), ignored))
+    return false;  // the .node file stands for both
   try {
     format_of(path);
     return true;

@@ -117,6 +117,22 @@ TEST(ClosePoints, TakesZerosOfBothSignsForOne) {
   EXPECT_TRUE(close_points({{0.0, 1, 2}, {-0.0, 1, 2}}, {1}, 0).empty());
 }
 
+TEST(Reports, HideNoWarningBehindNotes) {
+  CheckReport report;
+  report.source = "m.msh";
+  report.dimension = 3;
+  for (const Severity severity :
+       {Severity::note, Severity::note, Severity::note, Severity::warning})
+    report.findings.push_back({"coincident-vertices", severity, "together", {}});
+  EXPECT_EQ(text_of(report, 1, false),
+            "m.msh: note: coincident-vertices: together\n"
+            "m.msh: note: coincident-vertices: 2 more like these; --json lists them all\n"
+            "m.msh: warning: coincident-vertices: together\n");
+  const std::string sarif = sarif_of({report}, 1);
+  EXPECT_NE(sarif.find("together (and 2 more like this)"), std::string::npos);
+  EXPECT_NE(sarif.find("\"level\": \"warning\",\n     \"message\""), std::string::npos);
+}
+
 TEST(Rules, HaveAnExampleThatBreaksThemAndAllTheirText) {
   std::set<std::string> shown;
   for (const RuleExample& example : rule_examples()) {

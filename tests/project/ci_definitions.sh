@@ -11,7 +11,7 @@ mkdir -p "$work/data/drafts"
 echo nothing >"$work/data/drafts/broken.mesh"
 cd "$work"
 
-python3 - "$source_dir" "$work" <<'PYTHON'
+/usr/bin/python3 - "$source_dir" "$work" <<'PYTHON'
 import os, re, sys, yaml
 source, work = sys.argv[1:]
 action = yaml.safe_load(open(source + "/action.yml"))

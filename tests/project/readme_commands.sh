@@ -7,7 +7,7 @@ set -euo pipefail
 source_dir=$1 build_dir=$2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-export PATH="$build_dir/bin:$PATH"
+export PATH="$build_dir/bin:/usr/bin:$PATH"  # Debian's python3, which has Debian's meshio
 
 count=0
 for page in "$source_dir"/README.md "$source_dir"/docs/*.md; do
