@@ -244,7 +244,7 @@ class Picture {
       }
       const double dx = s.x - kWidth / 2, dy = s.y - kHeight / 2;
       const double length = std::max(std::hypot(dx, dy), 1.0);
-      const bool middle = length < 30;  // every direction is as good: to the left
+      const bool middle = length < 60;  // every direction is as good: to the left
       text += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\"/>\n", number(s.x),
                           number(s.y), named ? 6 : 3, named ? "#d11f2a" : "#1d2b3d");
       text +=
