@@ -18,9 +18,13 @@ class BadInput : public CommandTest {
     EXPECT_EQ(files(), before);
   }
 
-  // Both commands refuse this mesh.
+  // Both commands refuse this mesh; the report of `check` says so as well.
   void mesh_refused(const std::string& name, const std::vector<std::string>& said) const {
-    refused({"check", name, "--json", "r.json"}, said);
+    refused({"check", name}, said);
+    EXPECT_EQ(cleave({"check", name, "--json", "r.json"}).status, 3);
+    for (const std::string& words : said)
+      EXPECT_NE(read("r.json").find(words), std::string::npos) << words;
+    std::filesystem::remove(folder_ / "r.json");
     refused({"cut", name, "-o", "out.mesh", "--all", "--json", "r.json"}, said);
   }
 
@@ -40,7 +44,8 @@ TEST_F(BadInput, MissingEmptyOrUnknownFile) {
   write("m.stl", two_tetrahedra());
   mesh_refused("m.stl", {"m.stl", ".mesh"});
   std::filesystem::create_directory(folder_ / "folder.mesh");
-  mesh_refused("folder.mesh", {"folder.mesh"});
+  refused({"check", "folder.mesh", "--json", "r.json"}, {"folder.mesh"});
+  refused({"cut", "folder.mesh", "-o", "out.mesh", "--all", "--json", "r.json"}, {"folder.mesh"});
 }
 
 TEST_F(BadInput, TruncatedFile) {

@@ -116,7 +116,7 @@ std::vector<RuleExample> rule_examples() {
       {"orphan-vertex", mesh_of({{0, 0, 0}, {1, 0, 0}, {0.5, 0.8, 0}, {1.6, 0.5, 0}}, {{1, 2, 3}}),
        "A triangle, and a vertex that it does not use"},
       {"inverted-cell",
-       mesh_of({{0, 0, 0}, {1.6, 0, 0}, {0.8, 1.2, 0}, {0.9, 0.42, 0}}, {{1, 2, 3}, {2, 4, 3}}),
+       mesh_of({{0, 0, 0}, {1.6, 0, 0}, {0.8, 1.2, 0}, {1, 0.62, 0}}, {{1, 2, 3}, {2, 4, 3}}),
        "Two triangles; vertex 4 was moved across the edge they share"},
       {"flat-cell",
        mesh_of({{0, 0, 0}, {2, 0, 0}, {0.5, 0, 0}, {0.9, 0.9, 0}},
