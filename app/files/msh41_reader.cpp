@@ -90,7 +90,8 @@ MshEntities read_msh41_entities(Rows& rows) {
         row.template number<double>("a bound of an entity");
       std::vector<std::int32_t> groups;
       const auto group_count = row.template number<std::uint64_t>("the number of physical groups");
-      for (std::uint64_t k = 0; k < group_count; ++k) groups.push_back(msh_physical_tag(row));
+      for (std::uint64_t k = 0; k < group_count; ++k)
+        if (const std::int32_t group = msh_physical_tag(row); group != 0) groups.push_back(group);
       const auto bounds =
           dimension == 0 ? 0 : row.template number<std::uint64_t>("the number of bounds");
       for (std::uint64_t k = 0; k < bounds; ++k)

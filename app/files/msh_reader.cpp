@@ -18,6 +18,7 @@ void read_physical_names(const InputText& text, const MshSection& section, MshCo
     const int dimension = row.number<int>("the dimension of a group");
     if (dimension < 0 || dimension > 3) row.fail("the dimension of a group must be 0, 1, 2 or 3");
     const int tag = row.number<int>("the number of a group");
+    if (tag < 1) row.fail("the number of a group must be positive; 0 means none");
     const std::string_view name = row.rest();
     if (name.size() < 3 || name.front() != '"' || name.find('"', 1) != name.size() - 1)
       row.fail("expected the name of a group in quotation marks at the end of the line");

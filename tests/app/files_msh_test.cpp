@@ -85,6 +85,13 @@ TEST_F(Msh, AnElementRepeatedPerGroupIsOneElement) {
   EXPECT_EQ(mesh.groups[2].elements, std::vector<std::uint32_t>{0});
 }
 
+TEST_F(Msh, GroupNumberZeroIsNoGroup) {
+  const Mesh mesh = read_mesh(put("a.msh", with(k41, "2 7 -9 0 ", "2 7 0 0 ")));
+  ASSERT_EQ(mesh.groups.size(), 2u);
+  EXPECT_EQ(mesh.groups[0].name, "skin side");
+  EXPECT_EQ(mesh.groups[1].name, "body");
+}
+
 TEST_F(Msh, TheSameCellTwiceIsTwoCells) {
   const Mesh mesh =
       read_mesh(put("a.msh", with(with(k22, "$Elements\n4", "$Elements\n5"), "3 4 2 1 1 1 2 3 4\n",
@@ -101,6 +108,7 @@ TEST_F(Msh, NamesTheLineOfEveryDefect22) {
       {with(k22, "2.2 0 8", "2.2 2 8"), {"a.msh:2:", "0 (text) or 1 (binary)"}},
       {with(k22, "2.2 0 8", "1.0 0 8"), {"a.msh:2:", "version 1.0", "2.2 and 4.1"}},
       {with(k22, "2.2 0 8", "4 0 8"), {"a.msh:2:", "version 4 "}},
+      {with(k22, "2 7 \"skin side\"", "2 0 \"skin side\""), {"a.msh:6:", "must be positive"}},
       {with(k22, "$EndMeshFormat", "$End"), {"a.msh:3:", "expected $EndMeshFormat"}},
       {with(k22, "2 1 0 0\n", "2 1 0 0 0\n"), {"a.msh:12:", "goes on with '0'"}},
       {with(k22, "2 1 0 0\n", "2 1 0\n"), {"a.msh:12:", "the z coordinate", "line ends"}},
