@@ -134,6 +134,29 @@ std::vector<Group> groups_from_integers(int dimension, const std::vector<std::in
   return groups.finish();
 }
 
+std::vector<std::int32_t> mark_vertices(Mesh& mesh, const std::vector<std::int32_t>& of_vertex) {
+  std::vector<std::int32_t> marks;
+  Elements& marked = mesh.elements[0];
+  for (std::size_t v = 0; v < of_vertex.size(); ++v) {
+    if (of_vertex[v] == 0) continue;
+    marked.vertices.push_back(static_cast<std::uint32_t>(v));
+    marked.numbers.push_back(mesh.vertex_numbers[v]);
+    marks.push_back(of_vertex[v]);
+  }
+  return marks;
+}
+
+std::vector<Group> groups_of_vertices(const Mesh& mesh) {
+  std::vector<Group> groups = groups_of(mesh, 0);
+  for (Group& group : groups) {
+    for (std::uint32_t& element : group.elements) element = mesh.elements[0].vertices[element];
+    std::sort(group.elements.begin(), group.elements.end());
+    group.elements.erase(std::unique(group.elements.begin(), group.elements.end()),
+                         group.elements.end());
+  }
+  return groups;
+}
+
 void apply_group_names(Mesh& mesh, const std::filesystem::path& path) {
   const json document = parse(path);
   Groups groups;

@@ -41,6 +41,13 @@ struct GroupIntegers {
 /// that is 0.
 std::vector<Group> groups_from_integers(int dimension, const std::vector<std::int32_t>& integers);
 
+/// For formats that mark the vertices themselves: makes each vertex whose integer is not 0 an
+/// element of dimension 0 with the vertex's number; returns the integers of these elements.
+std::vector<std::int32_t> mark_vertices(Mesh& mesh, const std::vector<std::int32_t>& of_vertex);
+
+/// The other way: the groups of dimension 0 as lists of places in mesh.points.
+std::vector<Group> groups_of_vertices(const Mesh& mesh);
+
 /// Applies `path`, the OUT.groups.json of the mesh, to the groups its integers gave. Throws
 /// InputError if the file is not what to_json() writes.
 void apply_group_names(Mesh& mesh, const std::filesystem::path& path);

@@ -228,15 +228,7 @@ class MeditReader {
     if (dimension_ == 2 && !references_[3].empty())
       section_[3]->fail("tetrahedra in a file of Dimension 2; they need Dimension 3");
     number(mesh_.vertex_numbers, mesh_.points.size());
-    Elements& marked = mesh_.elements[0];
-    std::vector<std::int32_t> marks;
-    for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
-      if (references_[0][v] == 0) continue;
-      marked.vertices.push_back(static_cast<std::uint32_t>(v));
-      marked.numbers.push_back(v + 1);
-      marks.push_back(references_[0][v]);
-    }
-    references_[0] = std::move(marks);
+    references_[0] = mark_vertices(mesh_, references_[0]);
     for (std::size_t dimension = 0; dimension <= 3; ++dimension) {
       const auto& references = references_[dimension];
       if (dimension > 0) number(mesh_.elements[dimension].numbers, references.size());

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <string>
 
 #include "files/group_sets.hpp"
@@ -6,18 +5,6 @@
 
 namespace cleave::app {
 namespace {
-
-/// Groups of dimension 0 list elements; Medit marks the vertices themselves.
-std::vector<Group> groups_of_vertices(const Mesh& mesh) {
-  std::vector<Group> groups = groups_of(mesh, 0);
-  for (Group& group : groups) {
-    for (std::uint32_t& element : group.elements) element = mesh.elements[0].vertices[element];
-    std::sort(group.elements.begin(), group.elements.end());
-    group.elements.erase(std::unique(group.elements.begin(), group.elements.end()),
-                         group.elements.end());
-  }
-  return groups;
-}
 
 void write_elements(TextOutput& out, const std::string& keyword, const Elements& elements,
                     std::size_t dimension, const std::vector<std::int32_t>& references) {
