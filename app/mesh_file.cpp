@@ -1,48 +1,20 @@
 #include "mesh_file.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cctype>
+#include <optional>
 #include <system_error>
 
 #include "error.hpp"
+#include "files/abaqus.hpp"
 #include "files/group_integers.hpp"
 #include "files/input_text.hpp"
 #include "files/medit.hpp"
 #include "files/msh_format.hpp"
+#include "files/tetgen.hpp"
 #include "files/text_output.hpp"
 #include "files/vtk_files.hpp"
 #include "output_files.hpp"
 
 namespace cleave::app {
-
-namespace {
-
-/// The path without an extension .gz.
-std::filesystem::path unpacked(const std::filesystem::path& path) {
-  return is_gzip_name(path) ? path.parent_path() / path.stem() : path;
-}
-
-}  // namespace
-
-MeshFormat format_of(const std::filesystem::path& path) {
-  std::string extension = unpacked(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension == ".mesh") return MeshFormat::kMedit;
-  if (extension == ".msh") return MeshFormat::kGmsh;
-  if (extension == ".vtu") return MeshFormat::kVtu;
-  if (extension == ".vtk") return MeshFormat::kVtk;
-  throw InputError("'" + path.string() + "': " +
-                   (extension.empty() ? "no extension" : "unknown extension '" + extension + "'") +
-                   "; mesh files are .mesh (Medit), .msh (gmsh), .vtu and .vtk (VTK)");
-}
-
-MeshFormat output_format_of(const std::filesystem::path& path) {
-  if (is_gzip_name(path))
-    throw InputError("'" + path.string() + "': compressed files are read, not written; write '" +
-                     unpacked(path).string() + "' and compress it with gzip");
-  return format_of(path);
-}
 
 namespace {
 
@@ -56,6 +28,10 @@ Mesh read_format(const std::filesystem::path& path, MeshFormat format) {
       return read_medit(InputText(path));
     case MeshFormat::kGmsh:
       return read_msh(InputText(path));
+    case MeshFormat::kTetgen:
+      return read_tetgen(path);
+    case MeshFormat::kAbaqus:
+      return read_abaqus(InputText(path));
     case MeshFormat::kVtu:
       return read_vtk(path, VtkFormat::kXml);
     case MeshFormat::kVtk:
@@ -64,10 +40,31 @@ Mesh read_format(const std::filesystem::path& path, MeshFormat format) {
   return read_vtk(path, VtkFormat::kLegacy);
 }
 
-GroupIntegers write_format(OutputFile& file, MeshFormat format, const Mesh& mesh,
+GroupIntegers write_tetgen_files(OutputFiles& files, const std::filesystem::path& path,
+                                 const Mesh& mesh) {
+  require_tetgen_can_hold(mesh);
+  const TetgenPaths paths = tetgen_paths(path);
+  TextOutput node(files.add(paths.node)), ele(files.add(paths.ele));
+  std::optional<TextOutput> face, edge;
+  const auto open = [&](std::optional<TextOutput>& out, const auto& name, bool is_needed) {
+    if (is_needed)
+      out.emplace(files.add(name));
+    else
+      files.remove(name);  // it would be read with the new mesh
+    return is_needed ? &*out : nullptr;
+  };
+  return write_tetgen(
+      {node, ele, open(face, paths.face, mesh.elements[2].size() > 0 && mesh.dimension == 3),
+       open(edge, paths.edge, mesh.elements[1].size() > 0)},
+      mesh);
+}
+
+GroupIntegers write_format(OutputFiles& files, const std::filesystem::path& path, const Mesh& mesh,
                            const WriteOptions& options) {
+  const MeshFormat format = format_of(path);
+  if (format == MeshFormat::kTetgen) return write_tetgen_files(files, path, mesh);
   GroupIntegers integers;
-  TextOutput out(file);
+  TextOutput out(files.add(path));
   switch (format) {
     case MeshFormat::kMedit:
       return write_medit(out, mesh);
@@ -76,23 +73,22 @@ GroupIntegers write_format(OutputFile& file, MeshFormat format, const Mesh& mesh
                 {options.msh_version.value_or(mesh.msh_version),
                  options.binary.value_or(mesh.msh_binary)});
       break;
+    case MeshFormat::kAbaqus:
+      write_abaqus(out, mesh);
+      break;
     case MeshFormat::kVtu:
-      out << write_vtk(mesh, VtkFormat::kXml, integers);
+      out << write_vtu(mesh, options.encoding.value_or(VtuEncoding::kBase64), integers);
       break;
     case MeshFormat::kVtk:
-      out << write_vtk(mesh, VtkFormat::kLegacy, integers);
+      out << write_vtk(mesh, options.binary.value_or(true), integers);
+      break;
+    case MeshFormat::kTetgen:
       break;
   }
   return integers;
 }
 
 }  // namespace
-
-std::filesystem::path groups_path(const std::filesystem::path& mesh_path) {
-  std::filesystem::path path = unpacked(mesh_path);
-  path += ".groups.json";
-  return path;
-}
 
 Mesh read_mesh(const std::filesystem::path& path) {
   const MeshFormat format = format_of(path);
@@ -102,22 +98,32 @@ Mesh read_mesh(const std::filesystem::path& path) {
   if (mesh.dimension == 0)
     throw InputError(path.string() + ": holds no edges, triangles or tetrahedra");
   std::error_code error;
-  if (format != MeshFormat::kGmsh && std::filesystem::exists(groups_path(path), error))
+  if (!has_group_names(format) && std::filesystem::exists(groups_path(path), error))
     apply_group_names(mesh, groups_path(path));
   return mesh;
 }
 
+void require_options_fit(const std::filesystem::path& path, const WriteOptions& options) {
+  const MeshFormat format = output_format_of(path);
+  const auto refuse = [&](const std::string& why) {
+    throw InputError("'" + path.string() + "': " + why);
+  };
+  if (options.msh_version && format != MeshFormat::kGmsh)
+    refuse("a version can be chosen for .msh files only");
+  if (options.binary && format != MeshFormat::kGmsh && format != MeshFormat::kVtk)
+    refuse("binary or text can be chosen for .msh and .vtk files only");
+  if (options.encoding && format != MeshFormat::kVtu)
+    refuse("an encoding can be chosen for .vtu files only");
+}
+
 void write_mesh(OutputFiles& files, const std::filesystem::path& path, const Mesh& mesh,
                 const WriteOptions& options) {
-  const MeshFormat format = output_format_of(path);
-  if (format != MeshFormat::kGmsh && (options.msh_version || options.binary))
-    throw InputError("'" + path.string() +
-                     "': a version or a form, text or binary, can be chosen for .msh files only");
-  const GroupIntegers integers = write_format(files.add(path), format, mesh, options);
+  require_options_fit(path, options);
+  const GroupIntegers integers = write_format(files, path, mesh, options);
   const std::string names = integers.to_json();
   if (!names.empty())
     files.add(groups_path(path)).write(names);
-  else if (format != MeshFormat::kGmsh)
+  else if (!has_group_names(format_of(path)))
     files.remove(groups_path(path));
 }
 

@@ -206,7 +206,7 @@ class SetResolver {
         auto& elements = entry.elements;
         std::sort(elements.begin(), elements.end());
         elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
-        groups.push_back({entry.name, d, tag_in(entry.name), std::move(elements)});
+        groups.push_back({entry.name, d, tag_of_name(entry.name), std::move(elements)});
       }
       const auto tags = distinct_tags(groups, INT32_MIN);
       for (std::size_t g = 0; g < groups.size(); ++g) groups[g].tag = tags[g];
@@ -214,14 +214,6 @@ class SetResolver {
                 [](const Group& a, const Group& b) { return a.tag < b.tag; });
       for (Group& group : groups) mesh_.groups.push_back(std::move(group));
     }
-  }
-
-  /// The integer that a name of digits is; 0 for others.
-  static std::int32_t tag_in(const std::string& name) {
-    std::int32_t tag = 0;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), tag);
-    const bool whole = error == std::errc{} && end == name.data() + name.size();
-    return whole && std::to_string(tag) == name ? tag : 0;
   }
 
   struct Entry {

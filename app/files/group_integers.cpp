@@ -47,6 +47,13 @@ const json& list_in(const json& object, const char* key, const std::string& plac
   return *value;
 }
 
+std::string name_in(const json& object, const std::string& place) {
+  const auto name = object.find("name");
+  if (name == object.end() || !name->is_string() || name->get<std::string>().empty())
+    throw InputError(place + ": needs the text 'name'");
+  return name->get<std::string>();
+}
+
 json parse(const std::filesystem::path& path) {
   const InputText text(path);
   json document;
@@ -115,8 +122,22 @@ void GroupIntegers::encode(int dimension, std::size_t count, const std::vector<G
       named.push_back({dimension, tags[g], groups[g].name});
 }
 
+void GroupIntegers::encode_cohesive(const std::vector<std::string>& names) {
+  std::vector<Group> groups;
+  std::map<std::string, std::size_t> places;
+  for (const std::string& name : names)
+    if (!name.empty() && places.try_emplace(name, groups.size()).second)
+      groups.push_back({name, 0, tag_of_name(name), {}});
+  const std::vector<std::int32_t> tags = distinct_tags(groups, INT32_MIN);
+  for (const std::string& name : names)
+    of_cohesive.push_back(name.empty() ? 0 : tags[places.at(name)]);
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    if (groups[g].name != std::to_string(tags[g]))
+      cohesive_named.push_back({0, tags[g], groups[g].name});
+}
+
 std::string GroupIntegers::to_json() const {
-  if (named.empty() && overlaps.empty()) return {};
+  if (named.empty() && overlaps.empty() && cohesive_named.empty()) return {};
   json document = {{"format", kFormat}, {"groups", json::array()}, {"overlaps", json::array()}};
   for (const Named& group : named)
     document["groups"].push_back(
@@ -124,6 +145,8 @@ std::string GroupIntegers::to_json() const {
   for (const Overlap& overlap : overlaps)
     document["overlaps"].push_back(
         {{"dimension", overlap.dimension}, {"integer", overlap.integer}, {"groups", overlap.tags}});
+  for (const Named& name : cohesive_named)
+    document["cohesive"].push_back({{"tag", name.tag}, {"name", name.name}});
   return document.dump(1) + "\n";
 }
 
@@ -170,11 +193,18 @@ void apply_group_names(Mesh& mesh, const std::filesystem::path& path) {
   const json& named = list_in(document, "groups", path.string());
   for (std::size_t i = 0; i < named.size(); ++i) {
     const std::string place = place_of("groups", i);
-    const auto name = named[i].find("name");
-    if (name == named[i].end() || !name->is_string() || name->get<std::string>().empty())
-      throw InputError(place + ": needs the text 'name'");
     group_of(groups, dimension_in(named[i], place), integer_in(named[i], "tag", place)).name =
-        name->get<std::string>();
+        name_in(named[i], place);
+  }
+  if (document.contains("cohesive")) {
+    const json& cohesive = list_in(document, "cohesive", path.string());
+    std::map<std::string, std::string> names;
+    for (std::size_t i = 0; i < cohesive.size(); ++i) {
+      const std::string place = place_of("cohesive", i);
+      names[std::to_string(integer_in(cohesive[i], "tag", place))] = name_in(cohesive[i], place);
+    }
+    for (std::string& name : mesh.cohesive.names)
+      if (const auto known = names.find(name); known != names.end()) name = known->second;
   }
   mesh.groups.clear();
   for (auto& [key, group] : groups) {

@@ -28,10 +28,15 @@ struct GroupIntegers {
   std::array<std::vector<std::int32_t>, 4> of_element;  // by dimension
   std::vector<Named> named;
   std::vector<Overlap> overlaps;
+  std::vector<std::int32_t> of_cohesive;  // per cohesive element
+  std::vector<Named> cohesive_named;      // their names; `dimension` says nothing
 
   /// Encodes the groups of one dimension for `count` elements. Tags that are 0 or repeated are
   /// replaced by free ones.
   void encode(int dimension, std::size_t count, const std::vector<Group>& groups);
+
+  /// Encodes the names of cohesive elements: an empty one as 0, one of digits as its number.
+  void encode_cohesive(const std::vector<std::string>& names);
 
   /// The content of OUT.groups.json; empty if there is nothing to say.
   std::string to_json() const;

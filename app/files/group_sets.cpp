@@ -1,8 +1,10 @@
 #include "files/group_sets.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <set>
 #include <string>
+#include <system_error>
 
 namespace cleave::app {
 namespace {
@@ -69,6 +71,13 @@ std::vector<std::int32_t> distinct_tags(const std::vector<Group>& groups, std::i
     tag = next;
   }
   return tags;
+}
+
+std::int32_t tag_of_name(const std::string& name) {
+  std::int32_t tag = 0;
+  const char* const end = name.data() + name.size();
+  const auto [rest, error] = std::from_chars(name.data(), end, tag);
+  return error == std::errc{} && rest == end && std::to_string(tag) == name ? tag : 0;
 }
 
 void GroupCollector::add(int dimension, std::int32_t tag, std::uint32_t element) {

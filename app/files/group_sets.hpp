@@ -26,6 +26,9 @@ std::vector<Group> groups_of(const Mesh& mesh, int dimension);
 /// smallest positive one that is free.
 std::vector<std::int32_t> distinct_tags(const std::vector<Group>& groups, std::int32_t least);
 
+/// The integer that a name of digits is, as to_string writes it; 0 for other names.
+std::int32_t tag_of_name(const std::string& name);
+
 /// Collects groups while elements are read in order.
 class GroupCollector {
  public:

@@ -286,6 +286,9 @@ TetgenPaths tetgen_paths(const std::filesystem::path& path) {
 Mesh read_tetgen(const TetgenTexts& texts) { return TetgenReader(texts).read(); }
 
 Mesh read_tetgen(const std::filesystem::path& path) {
+  if (is_gzip_name(path))
+    throw InputError("'" + path.string() +
+                     "': TetGen's files are read as they are, not compressed; unpack them first");
   const TetgenPaths paths = tetgen_paths(path);
   const InputText node(paths.node), ele(paths.ele);
   const auto face = text_if_there(paths.face), edge = text_if_there(paths.edge);

@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstring>
 #include <new>
 #include <optional>
+#include <span>
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -15,6 +18,8 @@
 
 #include "error.hpp"
 #include "files/input_text.hpp"
+#include "files/midside.hpp"
+#include "files/vtk_cohesive.hpp"
 #include "files/vtk_files.hpp"
 #include "files/vtk_messages.hpp"
 #include "files/vtk_precheck.hpp"
@@ -60,17 +65,33 @@ vtkSmartPointer<vtkUnstructuredGrid> read_grid(const std::filesystem::path& path
   return grid;
 }
 
-/// The dimension of a cell of one of the four types that are read.
-std::optional<int> dimension_of(int type) {
+/// What is read of a type of cells.
+struct CellType {
+  std::size_t dimension;
+  vtkIdType nodes;
+  bool second_order = false, cohesive = false;
+};
+
+std::optional<CellType> cell_type(int type) {
   switch (type) {
     case VTK_VERTEX:
-      return 0;
+      return CellType{0, 1};
     case VTK_LINE:
-      return 1;
+      return CellType{1, 2};
     case VTK_TRIANGLE:
-      return 2;
+      return CellType{2, 3};
     case VTK_TETRA:
-      return 3;
+      return CellType{3, 4};
+    case VTK_QUADRATIC_EDGE:
+      return CellType{1, 3, true};
+    case VTK_QUADRATIC_TRIANGLE:
+      return CellType{2, 6, true};
+    case VTK_QUADRATIC_TETRA:
+      return CellType{3, 10, true};
+    case VTK_QUAD:
+      return CellType{2, 4, false, true};
+    case VTK_WEDGE:
+      return CellType{3, 6, false, true};
     default:
       return std::nullopt;
   }
@@ -80,8 +101,10 @@ std::optional<int> dimension_of(int type) {
   const char* name = vtkCellTypes::GetClassNameFromTypeId(type);
   fail(path, "cell " + std::to_string(cell) + " is a " + (name != nullptr ? name : "cell") +
                  " (VTK type " + std::to_string(type) +
-                 "); Cleave works on vertices, lines, triangles and tetrahedra of order 1: split "
-                 "it first, e.g. by vtkDataSetTriangleFilter (ParaView: Tetrahedralize)");
+                 "); Cleave works on vertices, lines, triangles and tetrahedra, and knows "
+                 "wedges (among tetrahedra) and quadrangles (among triangles) without thickness "
+                 "as cohesive elements: split it first, e.g. by vtkDataSetTriangleFilter "
+                 "(ParaView: Tetrahedralize)");
 }
 
 class GridReader {
@@ -93,8 +116,6 @@ class GridReader {
     mesh_.source = path_.string();
     read_points();
     read_cells();
-    for (int d = 3; d > 0 && mesh_.dimension == 0; --d)
-      if (mesh_.elements[static_cast<std::size_t>(d)].size() > 0) mesh_.dimension = d;
     read_point_data();
     read_cell_data();
     return std::move(mesh_);
@@ -120,27 +141,75 @@ class GridReader {
     check_offsets(cells, count);
     place_.reserve(static_cast<std::size_t>(count));
     for (vtkIdType cell = 0; cell < count; ++cell) {
-      const int type = grid_.GetCellType(cell);
-      const auto dimension = dimension_of(type);
-      if (!dimension) fail_cell_type(path_, cell, type);
-      vtkIdType corners = 0;
-      const vtkIdType* vertices = nullptr;
-      cells.GetCellAtId(cell, corners, vertices);
-      if (corners != *dimension + 1)
-        fail(path_, "cell " + std::to_string(cell) + " (VTK type " + std::to_string(type) +
-                        ") has " + std::to_string(corners) + " points instead of " +
-                        std::to_string(*dimension + 1));
-      Elements& elements = mesh_.elements[static_cast<std::size_t>(*dimension)];
-      for (vtkIdType k = 0; k < corners; ++k) {
-        if (vertices[k] < 0 || vertices[k] >= grid_.GetNumberOfPoints())
-          fail(path_, "cell " + std::to_string(cell) + " uses point " +
-                          std::to_string(vertices[k]) + ", but the file has " +
-                          std::to_string(grid_.GetNumberOfPoints()) + " points, from 0 on");
-        elements.vertices.push_back(static_cast<std::uint32_t>(vertices[k]));
-      }
-      place_.push_back({*dimension, static_cast<std::uint32_t>(elements.size())});
-      elements.numbers.push_back(static_cast<std::uint64_t>(cell));
+      const auto type = cell_type(grid_.GetCellType(cell));
+      if (!type) fail_cell_type(path_, cell, grid_.GetCellType(cell));
+      read_cell(cells, cell, *type);
+      if (!type->cohesive)
+        mesh_.dimension = std::max(mesh_.dimension, static_cast<int>(type->dimension));
     }
+    for (std::size_t i = 0; i < place_.size(); ++i)
+      if (place_[i].kind == kCohesive) check_cohesive(static_cast<vtkIdType>(i));
+  }
+
+  void read_cell(vtkCellArray& cells, vtkIdType cell, const CellType& type) {
+    vtkIdType count = 0;
+    const vtkIdType* nodes = nullptr;
+    cells.GetCellAtId(cell, count, nodes);
+    if (count != type.nodes)
+      fail(path_, "cell " + std::to_string(cell) + " (VTK type " +
+                      std::to_string(grid_.GetCellType(cell)) + ") has " + std::to_string(count) +
+                      " points instead of " + std::to_string(type.nodes));
+    std::array<std::uint32_t, 10> vertices{};
+    for (vtkIdType k = 0; k < count; ++k) {
+      if (nodes[k] < 0 || nodes[k] >= grid_.GetNumberOfPoints())
+        fail(path_, "cell " + std::to_string(cell) + " uses point " + std::to_string(nodes[k]) +
+                        ", but the file has " + std::to_string(grid_.GetNumberOfPoints()) +
+                        " points, from 0 on");
+      vertices[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(nodes[k]);
+    }
+    type.cohesive ? add_cohesive(vertices, static_cast<std::size_t>(count), cell)
+                  : add_simplex(vertices, type, cell);
+  }
+
+  void add_cohesive(const std::array<std::uint32_t, 10>& vertices, std::size_t count,
+                    vtkIdType cell) {
+    CohesiveElements& cohesive = mesh_.cohesive;
+    place_.push_back({kCohesive, static_cast<std::uint32_t>(cohesive.size())});
+    const std::size_t first = cohesive.vertices.size();
+    cohesive.vertices.resize(first + count);
+    for (std::size_t k = 0; k < count; ++k)
+      cohesive.vertices[first + vtk_cohesive_node(count, k)] = vertices[k];
+    cohesive.numbers.push_back(static_cast<std::uint64_t>(cell));
+    cohesive.names.emplace_back();
+  }
+
+  void add_simplex(const std::array<std::uint32_t, 10>& vertices, const CellType& type,
+                   vtkIdType cell) {
+    const std::size_t d = type.dimension;
+    Elements& elements = mesh_.elements[d];
+    if (elements.size() > 0 && elements.second_order() != type.second_order)
+      fail(path_, "cell " + std::to_string(cell) +
+                      " is of another order than the cells of its dimension before it; convert "
+                      "the mesh to one order");
+    place_.push_back({d, static_cast<std::uint32_t>(elements.size())});
+    elements.vertices.insert(elements.vertices.end(), vertices.begin(),
+                             vertices.begin() + static_cast<std::ptrdiff_t>(d + 1));
+    if (type.second_order)
+      add_midside(elements, d, kCyclicMidside,
+                  std::span(vertices).subspan(d + 1, edges_of_simplex(d)));
+    elements.numbers.push_back(static_cast<std::uint64_t>(cell));
+  }
+
+  /// A wedge or quadrangle must lie between cells of its dimension, without thickness.
+  void check_cohesive(vtkIdType cell) const {
+    const auto d = static_cast<std::size_t>(mesh_.dimension);
+    const std::size_t element = place_[static_cast<std::size_t>(cell)].element;
+    bool good = grid_.GetCellType(cell) == (d == 3 ? VTK_WEDGE : VTK_QUAD);
+    for (std::size_t k = 0; good && k < d; ++k) {
+      const auto* vertices = &mesh_.cohesive.vertices[2 * d * element];
+      good = mesh_.points[vertices[k]] == mesh_.points[vertices[d + k]];
+    }
+    if (!good) fail_cell_type(path_, cell, grid_.GetCellType(cell));
   }
 
   /// VTK takes offsets as they are; a wrong one would read outside of the connectivity.
@@ -177,13 +246,47 @@ class GridReader {
     for (int a = 0; a < data.GetNumberOfArrays(); ++a) {
       vtkDataArray* array = data.GetArray(a);
       if (array == nullptr || array == groups) continue;
-      Field field = start_field(*array, grid_.GetNumberOfCells());
-      for (vtkIdType i = 0; i < grid_.GetNumberOfCells(); ++i)
-        if (place_[static_cast<std::size_t>(i)].dimension == mesh_.dimension)
-          append(field, *array, i);
-      mesh_.cell_fields.push_back(std::move(field));
+      read_element_field(*array);
     }
     if (groups != nullptr) read_groups(*groups);
+  }
+
+  /// Values on cells make a field, and values on facets one of theirs, unless there are none (NaN,
+  /// or -1 in integers): then the array is about the others.
+  void read_element_field(vtkDataArray& array) {
+    Field cells = start_field(array, grid_.GetNumberOfCells()), facets = cells;
+    const auto dimension = static_cast<std::size_t>(mesh_.dimension);
+    bool elsewhere = false;
+    for (vtkIdType i = 0; i < grid_.GetNumberOfCells(); ++i) {
+      const std::size_t kind = place_[static_cast<std::size_t>(i)].kind;
+      if (kind == dimension)
+        append(cells, array, i);
+      else if (kind + 1 == dimension)
+        append(facets, array, i);
+      else
+        elsewhere = elsewhere || !is_none(array, i);
+    }
+    if (elsewhere)
+      mesh_.dropped.push_back(path_.string() + ": the values of cell data '" + cells.name +
+                              "' on elements that are neither cells nor facets");
+    const bool on_facets = has_values(facets);
+    if (has_values(cells) || !on_facets) mesh_.cell_fields.push_back(std::move(cells));
+    if (on_facets) mesh_.facet_fields.push_back(std::move(facets));
+  }
+
+  static bool is_none(bool integer, double value) {
+    return integer ? value == -1 : std::isnan(value);
+  }
+
+  static bool is_none(vtkDataArray& array, vtkIdType entry) {
+    for (int k = 0; k < array.GetNumberOfComponents(); ++k)
+      if (!is_none(is_integer(array), array.GetComponent(entry, k))) return false;
+    return true;
+  }
+
+  static bool has_values(const Field& field) {
+    return std::any_of(field.values.begin(), field.values.end(),
+                       [&](double value) { return !is_none(field.integer, value); });
   }
 
   void read_groups(vtkDataArray& array) {
@@ -194,8 +297,12 @@ class GridReader {
       if (std::abs(value) > INT32_MAX)
         fail(path_, "cell data '" + std::string(array.GetName()) + "' of cell " +
                         std::to_string(i) + " has more than 32 bits; it numbers groups");
-      const int dimension = place_[static_cast<std::size_t>(i)].dimension;
-      integers[static_cast<std::size_t>(dimension)].push_back(static_cast<std::int32_t>(value));
+      const Place& place = place_[static_cast<std::size_t>(i)];
+      const auto integer = static_cast<std::int32_t>(value);
+      if (place.kind != kCohesive)
+        integers[place.kind].push_back(integer);
+      else if (integer != 0)
+        mesh_.cohesive.names[place.element] = std::to_string(integer);
     }
     for (int dimension = 0; dimension <= 3; ++dimension)
       for (Group& group :
@@ -230,8 +337,11 @@ class GridReader {
     }
   }
 
+  static constexpr std::size_t kCohesive = 4;
+
+  /// An element: its dimension, or kCohesive, and its place.
   struct Place {
-    int dimension;
+    std::size_t kind;
     std::uint32_t element;
   };
   const std::filesystem::path& path_;

@@ -21,41 +21,48 @@
 
 #include "error.hpp"
 #include "files/group_sets.hpp"
+#include "files/midside.hpp"
+#include "files/vtk_cohesive.hpp"
 #include "files/vtk_files.hpp"
 #include "files/vtk_messages.hpp"
 
 namespace cleave::app {
 namespace {
 
-constexpr std::array<unsigned char, 4> kCellType = {VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_TETRA};
+constexpr std::size_t kCohesive = 4;
 
+/// An element: its dimension, or kCohesive, and its place.
 struct Place {
-  std::size_t dimension;
+  std::size_t kind;
   std::size_t element;
 };
+
+const std::vector<std::uint64_t>& numbers_of(const Mesh& mesh, std::size_t kind) {
+  return kind == kCohesive ? mesh.cohesive.numbers : mesh.elements[kind].numbers;
+}
 
 /// The order of cells in the file: as the numbers say if they are all those from 0 on, which is
 /// how a VTK file numbers; else the highest dimension first, so that cell i is cell i of the mesh.
 std::vector<Place> file_order(const Mesh& mesh) {
+  constexpr std::array<std::size_t, 5> kKinds = {3, 2, 1, 0, kCohesive};
   std::size_t count = 0;
-  for (const Elements& elements : mesh.elements) count += elements.size();
-  std::vector<Place> by_dimension;
-  by_dimension.reserve(count);
+  for (const std::size_t kind : kKinds) count += numbers_of(mesh, kind).size();
+  std::vector<Place> by_kind;
+  by_kind.reserve(count);
   std::vector<bool> taken(count, false);
   bool numbered = true;
-  for (std::size_t d = 4; d-- > 0;) {
-    const auto& numbers = mesh.elements[d].numbers;
+  for (const std::size_t kind : kKinds) {
+    const auto& numbers = numbers_of(mesh, kind);
     numbered = numbered && std::is_sorted(numbers.begin(), numbers.end());
     for (std::size_t e = 0; e < numbers.size(); ++e) {
-      by_dimension.push_back({d, e});
+      by_kind.push_back({kind, e});
       numbered = numbered && numbers[e] < count && !taken[numbers[e]];
       if (numbered) taken[numbers[e]] = true;
     }
   }
-  if (!numbered) return by_dimension;
+  if (!numbered) return by_kind;
   std::vector<Place> by_number(count);
-  for (const Place& place : by_dimension)
-    by_number[mesh.elements[place.dimension].numbers[place.element]] = place;
+  for (const Place& place : by_kind) by_number[numbers_of(mesh, place.kind)[place.element]] = place;
   return by_number;
 }
 
@@ -104,18 +111,64 @@ void add_points(vtkUnstructuredGrid& grid, const Mesh& mesh) {
     }));
 }
 
+/// The type of an element and its nodes in VTK's order.
+int cell_of(const Mesh& mesh, const Place& place, std::vector<vtkIdType>& nodes) {
+  nodes.clear();
+  if (place.kind == kCohesive) {
+    const std::size_t count = 2 * static_cast<std::size_t>(mesh.dimension);
+    for (std::size_t k = 0; k < count; ++k)
+      nodes.push_back(mesh.cohesive.vertices[count * place.element + vtk_cohesive_node(count, k)]);
+    return mesh.dimension == 3 ? VTK_WEDGE : VTK_QUAD;
+  }
+  constexpr std::array kFirst = {VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_TETRA};
+  constexpr std::array kSecond = {VTK_VERTEX, VTK_QUADRATIC_EDGE, VTK_QUADRATIC_TRIANGLE,
+                                  VTK_QUADRATIC_TETRA};
+  const std::size_t d = place.kind;
+  const Elements& elements = mesh.elements[d];
+  for (std::size_t k = 0; k <= d; ++k)
+    nodes.push_back(elements.vertices[(d + 1) * place.element + k]);
+  if (!elements.second_order()) return kFirst[d];
+  for (std::size_t k = 0; k < edges_of_simplex(d); ++k)
+    nodes.push_back(midside_node(elements, d, kCyclicMidside, place.element, k));
+  return kSecond[d];
+}
+
 void add_cells(vtkUnstructuredGrid& grid, const Mesh& mesh, const std::vector<Place>& order) {
   const vtkNew<vtkCellArray> cells;
   auto types = make_array<vtkUnsignedCharArray>("types", 1, order.size());
+  std::vector<vtkIdType> nodes;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::size_t corners = order[i].dimension + 1;
-    const auto* vertices = &mesh.elements[order[i].dimension].vertices[corners * order[i].element];
-    std::array<vtkIdType, 4> ids{};
-    std::copy(vertices, vertices + corners, ids.begin());
-    cells->InsertNextCell(static_cast<vtkIdType>(corners), ids.data());
-    types->SetValue(static_cast<vtkIdType>(i), kCellType[order[i].dimension]);
+    const int type = cell_of(mesh, order[i], nodes);
+    cells->InsertNextCell(static_cast<vtkIdType>(nodes.size()), nodes.data());
+    types->SetValue(static_cast<vtkIdType>(i), static_cast<unsigned char>(type));
   }
   grid.SetCells(types, cells);
+}
+
+/// An array with the values of a field of cells and of one of facets; either may be null.
+void add_element_field(vtkUnstructuredGrid& grid, const Mesh& mesh, const std::vector<Place>& order,
+                       const Field* cells, const Field* facets) {
+  const Field& field = cells != nullptr ? *cells : *facets;
+  if (field.name == "group") return;  // said by the groups already
+  const double none = field.integer ? -1.0 : std::numeric_limits<double>::quiet_NaN();
+  const auto components = static_cast<std::size_t>(field.components);
+  const auto dimension = static_cast<std::size_t>(mesh.dimension);
+  grid.GetCellData()->AddArray(field_array(field, order.size(), [&](auto i, int k) {
+    const Field* own = order[i].kind == dimension       ? cells
+                       : order[i].kind + 1 == dimension ? facets
+                                                        : nullptr;
+    return own == nullptr
+               ? none
+               : own->values[order[i].element * components + static_cast<std::size_t>(k)];
+  }));
+}
+
+const Field* find_like(const std::vector<Field>& fields, const Field& field) {
+  for (const Field& other : fields)
+    if (other.name == field.name && other.components == field.components &&
+        other.integer == field.integer)
+      return &other;
+  return nullptr;
 }
 
 void add_cell_data(vtkUnstructuredGrid& grid, const Mesh& mesh, const std::vector<Place>& order,
@@ -123,34 +176,41 @@ void add_cell_data(vtkUnstructuredGrid& grid, const Mesh& mesh, const std::vecto
   auto groups = make_array<vtkIntArray>("group", 1, order.size());
   for (std::size_t i = 0; i < order.size(); ++i)
     groups->SetValue(static_cast<vtkIdType>(i),
-                     integers.of_element[order[i].dimension][order[i].element]);
+                     order[i].kind == kCohesive
+                         ? integers.of_cohesive[order[i].element]
+                         : integers.of_element[order[i].kind][order[i].element]);
   grid.GetCellData()->AddArray(groups);
-  for (const Field& field : mesh.cell_fields) {
-    if (field.name == "group") continue;  // said by the groups already
-    const double none = field.integer ? -1.0 : std::numeric_limits<double>::quiet_NaN();
-    grid.GetCellData()->AddArray(field_array(field, order.size(), [&](auto i, int k) {
-      if (order[i].dimension != static_cast<std::size_t>(mesh.dimension)) return none;
-      return field.values[order[i].element * static_cast<std::size_t>(field.components) +
-                          static_cast<std::size_t>(k)];
-    }));
-  }
+  for (const Field& field : mesh.cell_fields)
+    add_element_field(grid, mesh, order, &field, find_like(mesh.facet_fields, field));
+  for (const Field& field : mesh.facet_fields)
+    if (find_like(mesh.cell_fields, field) == nullptr)
+      add_element_field(grid, mesh, order, nullptr, &field);
 }
 
-std::string xml_bytes(vtkUnstructuredGrid& grid) {
+std::string xml_bytes(vtkUnstructuredGrid& grid, VtuEncoding encoding) {
   const vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(&grid);
-  writer->SetDataModeToBinary();
-  writer->SetCompressorTypeToNone();
+  if (encoding == VtuEncoding::kText)
+    writer->SetDataModeToAscii();
+  else if (encoding == VtuEncoding::kRaw)
+    writer->SetDataModeToAppended();
+  else
+    writer->SetDataModeToBinary();
+  writer->EncodeAppendedDataOff();
+  if (encoding == VtuEncoding::kZlib)
+    writer->SetCompressorTypeToZLib();
+  else
+    writer->SetCompressorTypeToNone();
   writer->SetHeaderTypeToUInt64();
   writer->WriteToOutputStringOn();
   writer->Write();
   return writer->GetOutputString();
 }
 
-std::string legacy_bytes(vtkUnstructuredGrid& grid) {
+std::string legacy_bytes(vtkUnstructuredGrid& grid, bool binary) {
   const vtkNew<vtkUnstructuredGridWriter> writer;
   writer->SetInputData(&grid);
-  writer->SetFileTypeToBinary();
+  binary ? writer->SetFileTypeToBinary() : writer->SetFileTypeToASCII();
   writer->SetHeader("unstructured grid");
   writer->SetFileVersion(vtkUnstructuredGridWriter::VTK_LEGACY_READER_VERSION_4_2);
   writer->WriteToOutputStringOn();
@@ -158,22 +218,32 @@ std::string legacy_bytes(vtkUnstructuredGrid& grid) {
   return writer->GetOutputStdString();
 }
 
-}  // namespace
-
-std::string write_vtk(const Mesh& mesh, VtkFormat format, GroupIntegers& integers) {
+template <class Write>
+std::string write_grid(const Mesh& mesh, GroupIntegers& integers, const Write& write) {
   for (int dimension = 0; dimension <= 3; ++dimension)
     integers.encode(dimension, mesh.elements[static_cast<std::size_t>(dimension)].size(),
                     groups_of(mesh, dimension));
+  integers.encode_cohesive(mesh.cohesive.names);
   const std::vector<Place> order = file_order(mesh);
   const VtkMessages messages;
   const vtkNew<vtkUnstructuredGrid> grid;
   add_points(*grid, mesh);
   add_cells(*grid, mesh, order);
   add_cell_data(*grid, mesh, order, integers);
-  std::string bytes = format == VtkFormat::kXml ? xml_bytes(*grid) : legacy_bytes(*grid);
+  std::string bytes = write(*grid);
   if (messages.any() || bytes.empty())
     throw OutputError("VTK cannot write the mesh: " + messages.first());
   return bytes;
+}
+
+}  // namespace
+
+std::string write_vtu(const Mesh& mesh, VtuEncoding encoding, GroupIntegers& integers) {
+  return write_grid(mesh, integers, [&](auto& grid) { return xml_bytes(grid, encoding); });
+}
+
+std::string write_vtk(const Mesh& mesh, bool binary, GroupIntegers& integers) {
+  return write_grid(mesh, integers, [&](auto& grid) { return legacy_bytes(grid, binary); });
 }
 
 }  // namespace cleave::app
