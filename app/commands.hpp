@@ -15,7 +15,9 @@ namespace cleave::app {
 using Action = std::function<int()>;
 
 void add_check_command(CLI::App& cleave, Action& chosen);
+void add_convert_command(CLI::App& cleave, Action& chosen);
 void add_cut_command(CLI::App& cleave, Action& chosen);
+void add_info_command(CLI::App& cleave, Action& chosen);
 void add_run_command(CLI::App& cleave, Action& chosen);
 void add_reduce_command(CLI::App& cleave, Action& chosen);
 

@@ -79,7 +79,7 @@ void add_request(CLI::App& cut, CutOptions& options) {
 void add_cut_command(CLI::App& cleave, Action& chosen) {
   auto* cut = cleave.add_subcommand("cut", "Separates the cells of a mesh along its own facets");
   auto options = std::make_shared<CutOptions>();
-  cut->add_option("MESH", options->mesh, "Mesh file: .mesh, .msh, .vtu, .vtk")
+  cut->add_option("MESH", options->mesh, "Mesh file: " + mesh_extensions())
       ->required()
       ->option_text("FILE");
   auto* out =

@@ -41,7 +41,9 @@ int main(int argc, char** argv) {
   cleave.footer("`cleave COMMAND --help` shows the options of a command, with examples.");
   Action chosen;
   add_check_command(cleave, chosen);
+  add_convert_command(cleave, chosen);
   add_cut_command(cleave, chosen);
+  add_info_command(cleave, chosen);
   add_run_command(cleave, chosen);
   add_reduce_command(cleave, chosen);
   try {

@@ -91,14 +91,13 @@ std::filesystem::path groups_path(const std::filesystem::path& mesh_path) {
   return path;
 }
 
-std::vector<std::filesystem::path> mesh_files(const std::filesystem::path& path) {
-  const MeshFormat format = format_of(path);
-  std::vector<std::filesystem::path> files{path};
-  if (format == MeshFormat::kTetgen) {
-    const TetgenPaths paths = tetgen_paths(path);
-    files = {paths.node, paths.ele, paths.face, paths.edge};
-  }
-  if (!has_group_names(format)) files.push_back(groups_path(path));
+std::vector<std::string> mesh_files(const std::filesystem::path& path) {
+  const std::string extension = lower_extension(path);
+  std::vector<std::string> files{path.string(), groups_path(path).string()};
+  if (extension != ".node" && extension != ".ele") return files;
+  const TetgenPaths paths = tetgen_paths(path);
+  for (const auto& file : {paths.node, paths.ele, paths.face, paths.edge})
+    files.push_back(file.string());
   return files;
 }
 

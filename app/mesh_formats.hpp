@@ -29,7 +29,8 @@ bool has_group_names(MeshFormat format);
 /// compressed file the name is that of the file within, beside TetGen's that of the .node file.
 std::filesystem::path groups_path(const std::filesystem::path& mesh_path);
 
-/// All files that the mesh at `path` may consist of, `path` itself among them.
-std::vector<std::filesystem::path> mesh_files(const std::filesystem::path& path);
+/// All files that the mesh at `path` may consist of: `path` itself, what lies beside it, and
+/// OUT.groups.json. Any extension is accepted.
+std::vector<std::string> mesh_files(const std::filesystem::path& path);
 
 }  // namespace cleave::app
