@@ -48,8 +48,8 @@ std::string report_json(const ConvertOptions& options, const Mesh& mesh,
 
 std::string refusal(const ConvertOptions& options, const Mesh& mesh,
                     const std::vector<Loss>& losses) {
-  std::string text = fmt::format("'{}' cannot hold all of '{}', and --strict refuses a loss:",
-                                 options.out, options.in);
+  std::string text = fmt::format(
+      "'{}' cannot hold all of '{}', and --strict refuses a loss:", options.out, options.in);
   for (const Loss& loss : losses) text += "\n  " + loss.message;
   for (const std::string& dropped : mesh.dropped) text += "\n  " + dropped;
   return text;
@@ -75,11 +75,11 @@ int convert(const ConvertOptions& options) {
   if (options.json == "-")
     print(report_json(options, mesh, losses));
   else if (!options.quiet)
-    print(fmt::format("{}: {}, {}, {}; {}\n", options.out, counted(mesh.cells().size(), "cell"),
-                      counted(mesh.points.size(), "vertex", "vertices"),
-                      counted(mesh.groups.size(), "group"),
-                      losses.empty() && mesh.dropped.empty() ? "nothing is lost"
-                                                             : "see the warnings for what is lost"));
+    print(fmt::format(
+        "{}: {}, {}, {}; {}\n", options.out, counted(mesh.cells().size(), "cell"),
+        counted(mesh.points.size(), "vertex", "vertices"), counted(mesh.groups.size(), "group"),
+        losses.empty() && mesh.dropped.empty() ? "nothing is lost"
+                                               : "see the warnings for what is lost"));
   return kFine;
 }
 
@@ -122,8 +122,10 @@ void add_convert_command(CLI::App& cleave, Action& chosen) {
   add_form_options(*command, *options);
   command->add_flag("--strict", options->strict,
                     "Refuse, and write nothing, if anything would be lost");
-  command->add_option("--json", options->json, "Write what is lost to this file; - is standard "
-                                               "output")
+  command
+      ->add_option("--json", options->json,
+                   "Write what is lost to this file; - is standard "
+                   "output")
       ->option_text("FILE");
   command->add_flag("--quiet", options->quiet, "No progress bar and no summary; warnings only");
   command->footer(

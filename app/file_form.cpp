@@ -17,9 +17,8 @@ namespace {
 std::string head_of(const std::filesystem::path& path) {
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
   std::string head(4096, '\0');
-  const int size = file == nullptr
-                       ? -1
-                       : gzread(file.get(), head.data(), static_cast<unsigned>(head.size()));
+  const int size =
+      file == nullptr ? -1 : gzread(file.get(), head.data(), static_cast<unsigned>(head.size()));
   if (size < 0) throw InputError("cannot read '" + path.string() + "'");
   head.resize(static_cast<std::size_t>(size));
   return head;

@@ -71,7 +71,8 @@ FileNumbers numbers_in(const Mesh& mesh, MeshFormat format, const WriteOptions& 
       number_by_place(numbers, mesh, 1);
       break;
     case MeshFormat::kTetgen:
-      number_by_place(numbers, mesh, !mesh.vertex_numbers.empty() && mesh.vertex_numbers[0] == 0 ? 0 : 1);
+      number_by_place(numbers, mesh,
+                      !mesh.vertex_numbers.empty() && mesh.vertex_numbers[0] == 0 ? 0 : 1);
       break;
     case MeshFormat::kGmsh: {
       const bool narrow = options.binary.value_or(mesh.msh_binary) &&
@@ -92,6 +93,9 @@ FileNumbers numbers_in(const Mesh& mesh, MeshFormat format, const WriteOptions& 
       number_vtk_cells(numbers, mesh);
       break;
   }
+  if (numbers.elements[0].empty())  // marks on vertices
+    for (const std::uint32_t v : mesh.elements[0].vertices)
+      numbers.elements[0].push_back(numbers.vertices[v]);
   return numbers;
 }
 

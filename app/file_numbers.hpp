@@ -14,7 +14,8 @@ struct FileNumbers {
   std::array<std::vector<std::uint64_t>, 4> elements;
 };
 
-/// The numbers that vertices and elements of `mesh` have in a file of `format`.
+/// The numbers that vertices and elements of `mesh` have in a file of `format`. Where points are
+/// marks on vertices, theirs are the vertices'.
 FileNumbers numbers_in(const Mesh& mesh, MeshFormat format, const WriteOptions& options);
 
 /// How many of `before` are others in `after`, of the same length (or empty: none). Counting from 0

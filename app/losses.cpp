@@ -6,11 +6,11 @@
 #include <map>
 #include <set>
 
+#include "file_numbers.hpp"
 #include "file_words.hpp"
 #include "files/abaqus.hpp"
 #include "files/group_integers.hpp"
 #include "files/group_sets.hpp"
-#include "file_numbers.hpp"
 
 namespace cleave::app {
 namespace {
@@ -61,15 +61,15 @@ class LossFinder {
   void add(std::size_t count, const char* kind, const std::string& what, const std::string& fate) {
     if (count == 0) return;
     losses_.push_back({kind, count,
-                       fmt::format("{} {} {}: {}", counted(count, what), count == 1 ? "is" : "are",
-                                   fate, std::string("the format is ") + name_of(format_))});
+                       fmt::format("{}: {} {} {}", name_of(format_), counted(count, what),
+                                   count == 1 ? "is" : "are", fate)});
   }
 
   void find_second_order() {
     std::size_t count = 0;
     for (const Elements& elements : mesh_.elements) {
-      const bool kept = holds_.second_order &&
-                        (format_ != MeshFormat::kTetgen || mesh_.cells().second_order());
+      const bool kept =
+          holds_.second_order && (format_ != MeshFormat::kTetgen || mesh_.cells().second_order());
       if (elements.second_order() && !kept) count += elements.size();
     }
     add(count, "second-order", "element of second order",
@@ -157,9 +157,8 @@ class LossFinder {
     std::map<std::string, std::size_t> first;
     for (const Group& group : mesh_.groups)
       if (group.dimension > 0 && !group.elements.empty()) first.emplace(group.name, first.size());
-    std::stable_sort(groups.begin(), groups.end(), [&](const Group& a, const Group& b) {
-      return first[a.name] < first[b.name];
-    });
+    std::stable_sort(groups.begin(), groups.end(),
+                     [&](const Group& a, const Group& b) { return first[a.name] < first[b.name]; });
     return groups;
   }
 
@@ -175,11 +174,19 @@ class LossFinder {
   void find_numbers() {
     const FileNumbers numbers = numbers_in(mesh_, format_, options_);
     std::size_t elements = numbers_changed(mesh_.cohesive.numbers, numbers.cohesive);
-    for (std::size_t d = holds_.vertex_elements ? 0 : 1; d <= 3; ++d)
+    for (std::size_t d = points_have_numbers() ? 0 : 1; d <= 3; ++d)
       elements += numbers_changed(mesh_.elements[d].numbers, numbers.elements[d]);
     add(numbers_changed(mesh_.vertex_numbers, numbers.vertices), "vertex-numbers", "vertex number",
         "given anew");
     add(elements, "element-numbers", "element number", "given anew");
+  }
+
+  /// Whether points are elements with numbers of their own, not marks on vertices.
+  bool points_have_numbers() const {
+    const Elements& points = mesh_.elements[0];
+    for (std::size_t e = 0; e < points.size(); ++e)
+      if (points.numbers[e] != mesh_.vertex_numbers[points.vertices[e]]) return true;
+    return false;
   }
 
   const Mesh& mesh_;

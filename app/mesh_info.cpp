@@ -88,9 +88,9 @@ std::string text_of(const MeshInfo::FieldInfo& field) {
 }
 
 Json json_of(const MeshInfo::Kind& kind) {
-  return {{"dimension", kind.dimension},   {"kind", kind.name},
-          {"order", kind.order},           {"count", kind.count},
-          {"least_number", kind.least},    {"greatest_number", kind.greatest}};
+  return {{"dimension", kind.dimension}, {"kind", kind.name},
+          {"order", kind.order},         {"count", kind.count},
+          {"least_number", kind.least},  {"greatest_number", kind.greatest}};
 }
 
 Json json_of(const MeshInfo::FieldInfo& field) {
@@ -136,10 +136,10 @@ std::string text_of(const MeshInfo& info, const Mesh& mesh) {
   text += fmt::format("  {}, {}\n", counted(info.vertices.count, "vertex", "vertices"),
                       numbers_text(info.vertices));
   for (const MeshInfo::Kind& kind : info.elements)
-    text += fmt::format("  {}{}, {}\n",
-                        counted(kind.count, kind.name,
-                                kind.name == "tetrahedron" ? "tetrahedra" : std::string()),
-                        kind.order == 2 ? " of second order" : "", numbers_text(kind));
+    text += fmt::format(
+        "  {}{}, {}\n",
+        counted(kind.count, kind.name, kind.name == "tetrahedron" ? "tetrahedra" : std::string()),
+        kind.order == 2 ? " of second order" : "", numbers_text(kind));
   for (const Group& group : mesh.groups)
     text += fmt::format("  group '{}' of dimension {} (integer {}): {}\n", group.name,
                         group.dimension, group.tag, counted(group.elements.size(), "element"));
@@ -153,10 +153,10 @@ std::string text_of(const MeshInfo& info, const Mesh& mesh) {
     text += fmt::format("  {} not finite\n", counted(info.not_finite, "point has coordinates",
                                                      "points have coordinates"));
   if (info.topology)
-    text += fmt::format("  {}, {}, Euler characteristic {}\n",
-                        counted(info.topology->pieces, "piece"),
-                        counted(info.topology->boundary_components, "boundary component"),
-                        info.topology->euler_characteristic);
+    text +=
+        fmt::format("  {}, {}, Euler characteristic {}\n", counted(info.topology->pieces, "piece"),
+                    counted(info.topology->boundary_components, "boundary component"),
+                    info.topology->euler_characteristic);
   return text;
 }
 

@@ -31,7 +31,7 @@ class AbaqusReader {
 
   Mesh read() {
     content_.mesh.source = text_.source();
-    if (text_.bytes().back() != '\n')
+    if (text_.bytes().empty() || text_.bytes().back() != '\n')
       text_.fail(text_.end(),
                  "the last line has no line end: the file may be truncated; append one if it is "
                  "complete");

@@ -63,7 +63,7 @@ class TetgenReader {
 
  private:
   static RowReader rows_of(const InputText& text) {
-    if (text.bytes().back() != '\n')
+    if (text.bytes().empty() || text.bytes().back() != '\n')
       text.fail(text.end(),
                 "the last line has no line end: the file may be truncated; append one if it is "
                 "complete");

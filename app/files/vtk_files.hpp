@@ -22,7 +22,7 @@ Mesh read_vtk(const std::filesystem::path& path, VtkFormat format);
 /// and one of facets with the same name and components are one array; entries without a value are
 /// NaN, or -1 in an array of integers). Highest dimension first, cohesive elements last, unless the
 /// elements' numbers say how a VTK file had them. `integers` receives what `group` means. Throws
-/// OutputError.
+/// OutputError, also for values that are not finite in the text form of .vtk.
 std::string write_vtu(const Mesh& mesh, VtuEncoding encoding, GroupIntegers& integers);
 std::string write_vtk(const Mesh& mesh, bool binary, GroupIntegers& integers);
 

@@ -61,8 +61,9 @@ std::string_view attribute(std::string_view tag, std::string_view name) {
   return {};
 }
 
-/// The data arrays of a .vtu file. Each must say where its data is; compressed ones start with
-/// their number of blocks, the sizes of a block and of the last one, and of each when compressed.
+/// The data arrays of a .vtu file. Each must say where its data is, which starts with its length;
+/// compressed ones start with their number of blocks, the sizes of a block and of the last one, and
+/// of each when compressed.
 class DataArrays {
  public:
   explicit DataArrays(const InputText& text)
@@ -87,7 +88,7 @@ class DataArrays {
     const std::string_view format = attribute(tag, "format");
     if (format != "ascii" && format != "binary" && format != "appended")
       text_.fail(tag.data(), "a data array must have the format ascii, binary or appended");
-    if (format == "binary" && compressed_) check_blocks(content, true);
+    if (format == "binary") check_data(content, true);
     if (format != "appended") return;
     const std::string_view offset = attribute(tag, "offset");
     std::size_t distance = 0;
@@ -96,7 +97,16 @@ class DataArrays {
     if (error != std::errc{} || start == bytes_.npos || distance >= bytes_.size() - start)
       text_.fail(tag.data(), "a data array of format appended has no data at its offset");
     const auto base64 = bytes_.substr(appended_, start - appended_).find("base64");
-    if (compressed_) check_blocks(start + 1 + distance, base64 != bytes_.npos);
+    check_data(start + 1 + distance, base64 != bytes_.npos);
+  }
+
+  void check_data(std::size_t at, bool base64) const {
+    if (compressed_) return check_blocks(at, base64);
+    if (at == bytes_.npos || at + width_ > bytes_.size()) return;
+    const std::vector<std::uint64_t> length = numbers(bytes_.data() + at, 1, base64);
+    if (!length.empty() && length[0] > bytes_.size() - at)
+      text_.fail(bytes_.data() + at, "a data array claims " + std::to_string(length[0]) +
+                                         " bytes, more than follow; it is damaged");
   }
 
   void check_blocks(std::size_t at, bool base64) const {
@@ -116,6 +126,8 @@ class DataArrays {
                               " bytes, which is not possible in a file of " + std::to_string(size) +
                               "; it is damaged");
     }
+    if (count > 0 && (header.size() < 3 + count || header[1] == 0))
+      text_.fail(place, "a data array claims blocks of 0 bytes, or breaks off; it is damaged");
   }
 
   /// Up to `count` numbers of a header; fewer if the file ends before.
@@ -229,7 +241,8 @@ void precheck_vtk(const std::filesystem::path& path, VtkFormat format) {
   const InputText text(path);
   const std::uint64_t size = text.bytes().size();
   if (format == VtkFormat::kXml) {
-    if (describe_content(text.bytes()) != "an XML file (.vtu?)")
+    const auto first = text.bytes().find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos || text.bytes()[first] != '<')
       text.fail_format("a .vtu file, which starts with <?xml or <VTKFile");
     for (const char* keyword : {" NumberOfPoints=\"", " NumberOfCells=\"", " NumberOfTuples=\""})
       check_counts(text, keyword, kGreatestCompression * size);

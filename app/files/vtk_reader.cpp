@@ -23,6 +23,7 @@
 #include "files/vtk_files.hpp"
 #include "files/vtk_messages.hpp"
 #include "files/vtk_precheck.hpp"
+#include "files/vtk_text.hpp"
 
 namespace cleave::app {
 namespace {
@@ -59,6 +60,7 @@ vtkSmartPointer<vtkUnstructuredGrid> read_grid(const std::filesystem::path& path
   } catch (const std::bad_alloc&) {
     fail(path, "the file asks for more memory than there is; its counts may be wrong");
   }
+  if (messages.any() && format == VtkFormat::kLegacy) explain_not_finite(path);
   if (messages.any())
     fail(path, "not a complete VTK unstructured grid; VTK says: " + messages.first());
   if (grid == nullptr) fail(path, "VTK reads no unstructured grid from it");
@@ -204,7 +206,7 @@ class GridReader {
   void check_cohesive(vtkIdType cell) const {
     const auto d = static_cast<std::size_t>(mesh_.dimension);
     const std::size_t element = place_[static_cast<std::size_t>(cell)].element;
-    bool good = grid_.GetCellType(cell) == (d == 3 ? VTK_WEDGE : VTK_QUAD);
+    bool good = d > 1 && grid_.GetCellType(cell) == (d == 3 ? VTK_WEDGE : VTK_QUAD);
     for (std::size_t k = 0; good && k < d; ++k) {
       const auto* vertices = &mesh_.cohesive.vertices[2 * d * element];
       good = mesh_.points[vertices[k]] == mesh_.points[vertices[d + k]];

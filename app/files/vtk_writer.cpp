@@ -25,6 +25,7 @@
 #include "files/vtk_cohesive.hpp"
 #include "files/vtk_files.hpp"
 #include "files/vtk_messages.hpp"
+#include "files/vtk_text.hpp"
 
 namespace cleave::app {
 namespace {
@@ -171,6 +172,11 @@ const Field* find_like(const std::vector<Field>& fields, const Field& field) {
   return nullptr;
 }
 
+bool has_name(const std::vector<Field>& fields, const std::string& name) {
+  return std::any_of(fields.begin(), fields.end(),
+                     [&](const Field& field) { return field.name == name; });
+}
+
 void add_cell_data(vtkUnstructuredGrid& grid, const Mesh& mesh, const std::vector<Place>& order,
                    const GroupIntegers& integers) {
   auto groups = make_array<vtkIntArray>("group", 1, order.size());
@@ -183,7 +189,7 @@ void add_cell_data(vtkUnstructuredGrid& grid, const Mesh& mesh, const std::vecto
   for (const Field& field : mesh.cell_fields)
     add_element_field(grid, mesh, order, &field, find_like(mesh.facet_fields, field));
   for (const Field& field : mesh.facet_fields)
-    if (find_like(mesh.cell_fields, field) == nullptr)
+    if (!has_name(mesh.cell_fields, field.name))  // one array per name
       add_element_field(grid, mesh, order, nullptr, &field);
 }
 
@@ -207,10 +213,10 @@ std::string xml_bytes(vtkUnstructuredGrid& grid, VtuEncoding encoding) {
   return writer->GetOutputString();
 }
 
-std::string legacy_bytes(vtkUnstructuredGrid& grid, bool binary) {
+std::string legacy_bytes(vtkUnstructuredGrid& grid) {
   const vtkNew<vtkUnstructuredGridWriter> writer;
   writer->SetInputData(&grid);
-  binary ? writer->SetFileTypeToBinary() : writer->SetFileTypeToASCII();
+  writer->SetFileTypeToBinary();
   writer->SetHeader("unstructured grid");
   writer->SetFileVersion(vtkUnstructuredGridWriter::VTK_LEGACY_READER_VERSION_4_2);
   writer->WriteToOutputStringOn();
@@ -243,7 +249,8 @@ std::string write_vtu(const Mesh& mesh, VtuEncoding encoding, GroupIntegers& int
 }
 
 std::string write_vtk(const Mesh& mesh, bool binary, GroupIntegers& integers) {
-  return write_grid(mesh, integers, [&](auto& grid) { return legacy_bytes(grid, binary); });
+  return write_grid(mesh, integers,
+                    [&](auto& grid) { return binary ? legacy_bytes(grid) : legacy_text(grid); });
 }
 
 }  // namespace cleave::app

@@ -20,7 +20,7 @@ import numpy
 
 DIMENSION = {"vertex": 0, "line": 1, "triangle": 2, "tetra": 3}
 DIMENSION |= {"line3": 1, "triangle6": 2, "tetra10": 3, "wedge": 4, "quad": 4}
-GROUP_NAMES = ("medit:ref", "gmsh:physical", "group")
+GROUP_NAMES = ("medit:ref", "gmsh:physical", "group", "tetgen:ref")
 
 
 def dump(mesh, out):
@@ -33,12 +33,22 @@ def dump(mesh, out):
         groups = arrays[0][i] if arrays else [0] * len(block.data)
         for vertices, group in zip(block.data, groups):
             rows[DIMENSION[block.type]].append((*vertices, group))
-    for vertex, group in enumerate(mesh.point_data.get("medit:ref", [])):
-        if group != 0:
-            rows[0].append((vertex, group))
+    for name in ("medit:ref", "tetgen:ref"):
+        for vertex, group in enumerate(mesh.point_data.get(name, [])):
+            if group != 0:
+                rows[0].append((vertex, group))
     for dimension in range(5):
         for row in rows[dimension]:
             print(dimension, *(int(x) for x in row), file=out)
+    if arrays:
+        return
+    for name, vertices in sorted(mesh.point_sets.items()):
+        print("nodes", name, *sorted(int(v) for v in vertices), file=out)
+    for name, blocks in sorted(mesh.cell_sets.items()):
+        for block, places in zip(mesh.cells, blocks):
+            if len(places) > 0:
+                dimension = DIMENSION[block.type]
+                print("elements", name, dimension, *(int(e) for e in places), file=out)
 
 
 def sample():
@@ -71,6 +81,11 @@ def make(folder):
     meshio.write(f"{folder}/42.vtk", mesh("group"), file_format="vtk42")
     meshio.write(f"{folder}/text.vtk", mesh("group"), file_format="vtk42", binary=False)
     meshio.write(f"{folder}/51.vtk", mesh("group"), file_format="vtk51")
+    tetra = meshio.Mesh(points, cells[2:], cell_data={"tetgen:ref": groups[2:]})
+    meshio.write(f"{folder}/a.node", tetra, file_format="tetgen")
+    sets = {"odd": [numpy.array([], int), numpy.array([1, 3]), numpy.array([0, 8])]}
+    abaqus = meshio.Mesh(points, cells, cell_sets=sets, point_sets={"ends": numpy.array([0, 11])})
+    meshio.write(f"{folder}/a.inp", abaqus, file_format="abaqus")
     with open(f"{folder}/expected", "w") as expected:
         dump(mesh("group"), expected)
 

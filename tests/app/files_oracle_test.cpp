@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <sstream>
 
 #include "files_support.hpp"
@@ -100,6 +101,9 @@ class Oracle : public Files {
     run("/usr/bin/python3 " CLEAVE_MESH_ORACLE " " + arguments);
   }
   void gmsh(const std::string& arguments) const { run("gmsh -v 2 " + arguments); }
+  void tetgen(const std::string& arguments) const {
+    run("tetgen -Q " + arguments + " > " + at("chatter"));
+  }
   std::string at(const std::string& name) const { return path(name).string(); }
 };
 
@@ -335,6 +339,151 @@ TEST_F(Oracle, WeReadWhatGmshWrites) {
     EXPECT_EQ(other.cells().vertices, mesh.cells().vertices);
     EXPECT_EQ(other.facets().vertices, mesh.facets().vertices);
     if (name == "22.msh") expect_same_content(other, mesh);
+  }
+}
+
+/// Expects every node of second order in the middle of its edge.
+void expect_midside_in_the_middle(const Mesh& mesh) {
+  for (std::size_t d = 1; d <= 3; ++d) {
+    const Elements& elements = mesh.elements[d];
+    if (!elements.second_order()) continue;
+    auto node = elements.midside.begin();
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      for (std::size_t i = 0; i <= d; ++i)
+        for (std::size_t j = i + 1; j <= d; ++j, ++node)
+          for (std::size_t x = 0; x < 3; ++x)
+            ASSERT_NEAR(mesh.points[*node][x],
+                        (mesh.points[elements.vertices[(d + 1) * e + i]][x] +
+                         mesh.points[elements.vertices[(d + 1) * e + j]][x]) /
+                            2,
+                        1e-9)
+                << "dimension " << d << ", element " << e;
+  }
+}
+
+/// Cells as sets of vertices, with their groups.
+std::vector<std::string> cells_of(Mesh mesh) {
+  for (std::size_t c = 0; c < mesh.cells().size(); ++c)
+    std::sort(mesh.elements[3].vertices.begin() + static_cast<std::ptrdiff_t>(4 * c),
+              mesh.elements[3].vertices.begin() + static_cast<std::ptrdiff_t>(4 * c + 4));
+  mesh.elements[0] = mesh.elements[1] = mesh.elements[2] = {};
+  return elements_of(mesh, false);
+}
+
+const std::string kBoxGeo =
+    "Point(1) = {0, 0, 0, 0.9};\na[] = Extrude {1, 0, 0} { Point{1}; };\n"
+    "b[] = Extrude {0, 1, 0} { Line{a[1]}; };\nc[] = Extrude {0, 0, 1} { Surface{b[1]}; };\n"
+    "Physical Volume(\"body\", 1) = {c[1]};\nPhysical Surface(\"floor\", 3) = {b[1]};\n"
+    "Physical Curve(\"edge\", 4) = {a[1]};\n";
+
+TEST_F(Oracle, MeshioReadsOurTetgenFiles) {
+  Mesh mesh = plainly_grouped_mesh();
+  mesh.elements[1] = mesh.elements[2] = {};  // meshio reads points and cells only
+  mesh.groups = {{"7", 0, 7, {0, 1}}, {"1", 3, 1, {0, 2}}, {"2", 3, 2, {1}}};
+  write_mesh(path("a.node"), mesh);
+  ASSERT_NO_FATAL_FAILURE(meshio("dump " + at("a.node") + " > " + at("dump")));
+  EXPECT_EQ(bytes("dump"), dump(mesh));
+}
+
+TEST_F(Oracle, TetgenKeepsWhatWeWrite) {
+  Mesh mesh = grouped_mesh();
+  mesh.points[4] = {1, 1, 1};
+  mesh.points[5] = {0.1, 1.5, 1};
+  mesh.elements[1] = {};
+  mesh.elements[2] = {};
+  mesh.groups = {{"1", 3, 1, {0, 2}}, {"2", 3, 2, {1}}};
+  for (const std::uint64_t first : {0, 1}) {
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) mesh.vertex_numbers[v] = first + v;
+    write_mesh(path("a.node"), mesh);
+    ASSERT_NO_FATAL_FAILURE(tetgen("-r " + at("a.node")));
+    EXPECT_EQ(cells_of(read_mesh(path("a.1.ele"))), cells_of(mesh));
+  }
+}
+
+TEST_F(Oracle, WeReadWhatTetgenWrites) {
+  put("a.poly",
+      "8 3 1 1\n1 0 0 0 0.5 3\n2 1 0 0 0.5 3\n3 1 1 0 1.5 0\n4 0 1 0 2 0\n5 0 0 1 2 0\n"
+      "6 1 0 1 2 0\n7 1 1 1 2 0\n8 0 1 1 2 9\n6 1\n1 0 2\n4 1 2 3 4\n1 0 4\n4 5 6 7 8\n"
+      "1 0 0\n4 1 2 6 5\n1 0 0\n4 2 3 7 6\n1 0 0\n4 3 4 8 7\n1 0 -5\n4 4 1 5 8\n0\n1\n"
+      "1 0.5 0.5 0.5 7 0.2\n");
+  for (const std::string order : {"", "o2"}) {
+    for (const std::string neighbours : {"", "nn"}) {
+      SCOPED_TRACE(order + neighbours);
+      ASSERT_NO_FATAL_FAILURE(tetgen("-pqAef" + order + neighbours + " " + at("a.poly")));
+      const Mesh mesh = read_mesh(path("a.1.node"));
+      for (std::size_t d = 1; d <= 3; ++d)
+        EXPECT_EQ(mesh.elements[d].second_order(), order == "o2") << d;
+      expect_midside_in_the_middle(mesh);
+      std::vector<std::string> groups;
+      for (const Group& group : mesh.groups)
+        if (group.dimension != 1) groups.push_back(group.name);
+      EXPECT_EQ(groups, (std::vector<std::string>{"3", "9", "-5", "2", "4", "7"}));
+      EXPECT_EQ(mesh.groups.back().elements.size(), mesh.cells().size());
+    }
+  }
+}
+
+TEST_F(Oracle, MeshioReadsOurAbaqusFiles) {
+  Mesh mesh = plainly_grouped_mesh();
+  write_mesh(path("a.inp"), mesh);
+  ASSERT_NO_FATAL_FAILURE(meshio("dump " + at("a.inp") + " > " + at("dump")));
+  mesh.groups.clear();
+  mesh.elements[0] = {};
+  EXPECT_EQ(bytes("dump"), dump(mesh) +
+                               "nodes nail 2 5\nelements \"1\" 3 0 2\nelements \"5\" 1 1\n"
+                               "elements \"left lobe\" 3 1\nelements cut 2 0\n"
+                               "elements rim 1 0 2\nelements skin 2 1\n");
+}
+
+TEST_F(Oracle, MeshioReadsOurSecondOrder) {
+  Mesh mesh = plainly_grouped_mesh();
+  mesh.elements[1] = {};  // meshio takes Abaqus's end, middle, end as end, end, middle
+  mesh = second_order(mesh);
+  for (const char* name : {"a.inp", "a.vtu", "a.vtk"}) {
+    SCOPED_TRACE(name);
+    mesh.groups.clear();
+    if (name == std::string("a.inp")) mesh.elements[0] = {};
+    write_mesh(path(name), mesh);
+    ASSERT_NO_FATAL_FAILURE(meshio("dump " + at(name) + " > " + at("dump")));
+    EXPECT_EQ(bytes("dump"), dump(mesh));
+  }
+}
+
+TEST_F(Oracle, WeReadTetgenAndAbaqusFilesOfMeshio) {
+  ASSERT_NO_FATAL_FAILURE(meshio("make " + at("")));
+  const Mesh mesh = read_mesh(path("22.msh"));
+  const Mesh tetgen = read_mesh(path("a.ele"));
+  EXPECT_EQ(tetgen.points, mesh.points);
+  EXPECT_EQ(tetgen.cells().vertices, mesh.cells().vertices);
+  ASSERT_EQ(tetgen.groups.size(), 2u);
+  EXPECT_EQ(tetgen.groups[1].elements, mesh.groups.back().elements);
+  const Mesh abaqus = read_mesh(path("a.inp"));
+  EXPECT_EQ(abaqus.points, mesh.points);
+  for (std::size_t d = 1; d <= 3; ++d)
+    EXPECT_EQ(abaqus.elements[d].vertices, mesh.elements[d].vertices);
+  ASSERT_EQ(abaqus.groups.size(), 3u);
+  EXPECT_EQ(abaqus.groups[0].name, "ends");
+  EXPECT_EQ(abaqus.elements[0].vertices, (std::vector<std::uint32_t>{0, 11}));
+  EXPECT_EQ(abaqus.groups[1].elements, (std::vector<std::uint32_t>{1, 3}));
+  EXPECT_EQ(abaqus.groups[2].elements, (std::vector<std::uint32_t>{0, 8}));
+}
+
+TEST_F(Oracle, WeReadAbaqusFilesOfGmsh) {
+  put("box.geo", kBoxGeo);
+  for (const std::string order : {"1", "2"}) {
+    SCOPED_TRACE(order);
+    ASSERT_NO_FATAL_FAILURE(
+        gmsh("-3 -order " + order + " -format inp " + at("box.geo") + " -o " + at("a.inp")));
+    const Mesh mesh = read_mesh(path("a.inp"));
+    EXPECT_EQ(mesh.cells().second_order(), order == "2");
+    EXPECT_EQ(mesh.elements[1].second_order(), order == "2");
+    expect_midside_in_the_middle(mesh);
+    std::map<std::string, std::size_t> sizes;
+    for (const Group& group : mesh.groups) sizes[group.name] = group.elements.size();
+    EXPECT_EQ(sizes["body"], mesh.cells().size());
+    EXPECT_EQ(sizes["floor"], mesh.elements[2].size());
+    EXPECT_EQ(sizes["edge"], mesh.elements[1].size());
+    EXPECT_TRUE(mesh.dropped.empty());
   }
 }
 
