@@ -20,8 +20,9 @@ using topology::VertexId;
 
 Numbering numbering_of(const std::filesystem::path& path) {
   const MeshFormat format = format_of(path);
-  if (format == MeshFormat::kMedit) return Numbering::from_one;
-  return format == MeshFormat::kGmsh ? Numbering::kept : Numbering::from_zero;
+  if (format == MeshFormat::kMedit || format == MeshFormat::kTetgen) return Numbering::from_one;
+  const bool kept = format == MeshFormat::kGmsh || format == MeshFormat::kAbaqus;
+  return kept ? Numbering::kept : Numbering::from_zero;
 }
 
 namespace {

@@ -26,7 +26,7 @@ struct Holds {
 Holds holds(MeshFormat format) {
   switch (format) {
     case MeshFormat::kMedit:
-      return {false, false, false, false, false, false, true, true, false};
+      return {true, false, false, false, false, false, true, true, false};
     case MeshFormat::kGmsh:
       return {true, true, true, true, true, true, true, false, true};
     case MeshFormat::kTetgen:

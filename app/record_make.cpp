@@ -127,7 +127,9 @@ Held held_by(const std::filesystem::path& path) {
   held.numbers = numbering_of(path) == Numbering::kept;
   const bool vtk = format == MeshFormat::kVtu || format == MeshFormat::kVtk;
   if (vtk || format == MeshFormat::kGmsh) held.elements = {true, true, true, true};
-  if (format == MeshFormat::kMedit) held.elements = {false, true, true, true};  // marks vertices
+  const bool marks_vertices = format == MeshFormat::kMedit || format == MeshFormat::kTetgen ||
+                              format == MeshFormat::kAbaqus;
+  if (marks_vertices) held.elements = {false, true, true, true};
   return held;
 }
 

@@ -7,21 +7,14 @@
 
 #include "error.hpp"
 #include "files/msh_output.hpp"
+#include "files/numbers.hpp"
 
 namespace cleave::app {
 namespace {
 
-/// True if numbers can be kept in a .msh file: all positive and at most `greatest`, no two equal.
-bool can_be_kept(std::vector<std::uint64_t> numbers, std::uint64_t greatest) {
-  if (!std::is_sorted(numbers.begin(), numbers.end())) std::sort(numbers.begin(), numbers.end());
-  return numbers.empty() || (numbers.front() > 0 && numbers.back() <= greatest &&
-                             std::adjacent_find(numbers.begin(), numbers.end()) == numbers.end());
-}
-
-std::vector<std::uint64_t> kept_or_counted(std::vector<std::uint64_t> numbers,
-                                           std::uint64_t greatest) {
-  if (can_be_kept(numbers, greatest)) return numbers;
-  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = i + 1;
+std::vector<std::uint64_t> numbers_of(const std::vector<std::uint64_t>& wanted,
+                                      std::uint64_t greatest) {
+  std::vector<std::uint64_t> numbers = kept_or_counted(wanted, greatest);
   if (!numbers.empty() && numbers.back() > greatest)
     throw OutputError("the mesh has more than " + std::to_string(greatest) +
                       " nodes or elements, which this form of a .msh file cannot number; write "
@@ -171,12 +164,12 @@ void number_entities(MshLevel& level, const std::map<std::size_t, std::int32_t>&
 
 MshNumbers::MshNumbers(const Mesh& mesh, std::uint64_t greatest_node,
                        std::uint64_t greatest_element)
-    : nodes(kept_or_counted(mesh.vertex_numbers, greatest_node)) {
+    : nodes(numbers_of(mesh.vertex_numbers, greatest_node)) {
   std::vector<std::uint64_t> all;
   for (const Elements& of_dimension : mesh.elements)
     all.insert(all.end(), of_dimension.numbers.begin(), of_dimension.numbers.end());
   all.insert(all.end(), mesh.cohesive.numbers.begin(), mesh.cohesive.numbers.end());
-  elements = kept_or_counted(std::move(all), greatest_element);
+  elements = numbers_of(all, greatest_element);
 }
 
 std::vector<MshLevel> msh_levels(const Mesh& mesh) {

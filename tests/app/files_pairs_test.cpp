@@ -20,7 +20,9 @@ struct Kind {
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all{{"medit", ".mesh", {}},
                                      {"msh22", ".msh", {MshVersion::k22, false, {}}},
+                                     {"msh22-binary", ".msh", {MshVersion::k22, true, {}}},
                                      {"msh41", ".msh", {MshVersion::k41, false, {}}},
+                                     {"msh41-binary", ".msh", {MshVersion::k41, true, {}}},
                                      {"tetgen", ".node", {}},
                                      {"abaqus", ".inp", {}},
                                      {"vtu-text", ".vtu", {{}, {}, VtuEncoding::kText}},
