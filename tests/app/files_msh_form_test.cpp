@@ -17,10 +17,10 @@ struct Form {
   WriteOptions options;
 };
 
-const Form kForms[] = {{"22 text", {MshVersion::k22, false}},
-                       {"22 binary", {MshVersion::k22, true}},
-                       {"41 text", {MshVersion::k41, false}},
-                       {"41 binary", {MshVersion::k41, true}}};
+const Form kForms[] = {{"22 text", {MshVersion::k22, false, {}}},
+                       {"22 binary", {MshVersion::k22, true, {}}},
+                       {"41 text", {MshVersion::k41, false, {}}},
+                       {"41 binary", {MshVersion::k41, true, {}}}};
 
 /// A square of two triangles whose left and right sides are periodic.
 Mesh periodic_mesh() {
@@ -248,7 +248,7 @@ TEST_F(MshForms, NumbersOf64BitsNeedTextOrVersion41) {
 }
 
 TEST_F(MshForms, OptionsAreForGmshAlone) {
-  EXPECT_THROW(write_mesh(path("a.mesh"), grouped_mesh(), {{}, true}), InputError);
+  EXPECT_THROW(write_mesh(path("a.mesh"), grouped_mesh(), {{}, true, {}}), InputError);
   EXPECT_THROW(write_mesh(path("a.vtk"), grouped_mesh(), {MshVersion::k22, {}}), InputError);
   EXPECT_TRUE(names().empty());
 }
