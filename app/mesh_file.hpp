@@ -26,9 +26,9 @@ enum class VtuEncoding { kText, kRaw, kBase64, kZlib };
 
 /// Choices that a format leaves; those that are empty follow the mesh, or what is usual.
 struct WriteOptions {
-  std::optional<MshVersion> msh_version;  // .msh; else the mesh's
-  std::optional<bool> binary;             // .msh: else the mesh's form; .vtk: else true
-  std::optional<VtuEncoding> encoding;    // .vtu; else kBase64
+  std::optional<MshVersion> msh_version = {};  // .msh; else the mesh's
+  std::optional<bool> binary = {};             // .msh: else the mesh's form; .vtk: else true
+  std::optional<VtuEncoding> encoding = {};    // .vtu; else kBase64
 };
 
 /// Throws InputError for an option that the format of `path` does not have, and for an extension
