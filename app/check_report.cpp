@@ -106,12 +106,15 @@ std::string line(const CheckReport& report, const Finding& finding) {
 }
 
 std::string line_on_the_whole(const CheckReport& report) {
-  std::string text = fmt::format("{}: dimension {}, {}, {}, {}, {}, Euler characteristic {}",
-                                 report.source, report.dimension, counted(report.cells, "cell"),
-                                 counted(report.vertices, "vertex", "vertices"),
-                                 counted(report.topology.pieces, "piece"),
-                                 counted(report.topology.boundary_components, "boundary component"),
-                                 report.topology.euler_characteristic);
+  std::string text =
+      fmt::format("{}: dimension {}, {}, {}", report.source, report.dimension,
+                  counted(report.cells, "cell"), counted(report.vertices, "vertex", "vertices"));
+  if (report.edge_nodes > 0)
+    text += fmt::format(", second order ({} on edges)", counted(report.edge_nodes, "node"));
+  if (report.cohesive > 0) text += ", " + counted(report.cohesive, "cohesive element");
+  text += fmt::format(", {}, {}, Euler characteristic {}", counted(report.topology.pieces, "piece"),
+                      counted(report.topology.boundary_components, "boundary component"),
+                      report.topology.euler_characteristic);
   if (report.betti) text += fmt::format(", Betti numbers {}", fmt::join(*report.betti, " "));
   text += fmt::format("; level {}; {}, {}", topology::name(report.level),
                       counted(report.count(Severity::error), "error"),
