@@ -1,6 +1,7 @@
 #include "files/vtk_precheck.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <string>
@@ -210,7 +211,29 @@ void check_lengths(const InputText& text, const Row& section, std::size_t count,
                  std::to_string(size));
 }
 
+/// VTK would read a section that comes twice into the room of the first one, and it knows keywords
+/// in small letters, too. What stands before the data of points and cells must have each but once.
+void check_stands_once(const InputText& text, std::string_view keyword) {
+  const auto same = [](char a, char b) {
+    return std::toupper(static_cast<unsigned char>(a)) == static_cast<unsigned char>(b);
+  };
+  const auto space = [](char c) {
+    return std::string_view(" \t\r\n").find(c) != std::string_view::npos;
+  };
+  const char* const end = std::min(find_line(text, "CELL_DATA"), find_line(text, "POINT_DATA"));
+  int count = 0;
+  const char* at = std::min(find_line(text, "DATASET"), end);
+  while ((at = std::search(at, end, keyword.begin(), keyword.end(), same)) != end) {
+    const char* const after = at + keyword.size();
+    if (space(at[-1]) && (after == end || space(*after)) && ++count > 1)
+      text.fail(at, "a second section " + std::string(keyword) + "; there must be one");
+    at = after;
+  }
+}
+
 void check_legacy_cells(const InputText& text) {
+  check_stands_once(text, "CELLS");
+  check_stands_once(text, "CELL_TYPES");
   const char* const cells = find_line(text, "CELLS");
   const char* const types = find_line(text, "CELL_TYPES");
   if (types <= cells || types == text.end())

@@ -118,6 +118,8 @@ TEST_F(Vtk, WhatVtkWouldBelieveIsCheckedBefore) {
   refuse("\n4 0 1", "\n3 0 1", {"a.vtk:7:", "fill 4 numbers of the CELLS section, not 5"});
   refuse("1 2 3\n", "1 x 3\n", {"a.vtk:8:", "expected a number of the CELLS section"});
   refuse("CELLS", "CELLX", {"no line CELLS"});
+  refuse("CELL_TYPES", "CELLS 2 5\nCELL_TYPES", {"a.vtk:9:", "a second section CELLS"});
+  refuse("CELL_TYPES", "cells 2 5\nCELL_TYPES", {"a.vtk:9:", "a second section CELLS"});
   refuse("CELL_TYPES 1", "CELL_TYPES 2", {"a.vtk:9:", "CELL_TYPES has 2 entries for 1 cells"});
   write_mesh(path("b.vtk"), grouped_mesh());
   std::string binary = bytes("b.vtk");
