@@ -127,8 +127,12 @@ class DataArrays {
                               " bytes, which is not possible in a file of " + std::to_string(size) +
                               "; it is damaged");
     }
-    if (count > 0 && (header.size() < 3 + count || header[1] == 0))
-      text_.fail(place, "a data array claims blocks of 0 bytes, or breaks off; it is damaged");
+    // VTK divides by the size of a block, and subtracts one of no blocks if there is a last one.
+    const bool good = count == 0
+                          ? header.size() < 3 || header[2] == 0
+                          : header.size() == 3 + count && header[1] > 0 && header[2] <= header[1];
+    if (!good)
+      text_.fail(place, "a data array claims blocks whose sizes do not go together; it is damaged");
   }
 
   /// Up to `count` numbers of a header; fewer if the file ends before.
