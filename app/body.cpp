@@ -147,22 +147,22 @@ std::vector<std::array<double, static_cast<std::size_t>(D)>> points_of(const Bod
 }
 
 template <int D>
-std::vector<HalfFacetId> locate(const Body<D>& body, std::span<const std::uint32_t> facets,
+std::vector<HalfFacetId> locate(const Mesh& mesh, std::span<const std::uint32_t> facets,
                                 const std::string& asked_by) {
   std::vector<topology::Facet<D>> tuples(facets.size() / D);
   for (std::size_t i = 0; i < facets.size(); ++i) tuples[i / D][i % D] = {facets[i]};
-  const auto soup = soup_of<D>(*body.mesh);
+  const auto soup = soup_of<D>(mesh);
   const auto found = topology::locate_facets<D>(soup.cells, tuples);
 
   std::vector<HalfFacetId> located;
   for (std::size_t i = 0; i < tuples.size(); ++i) {
     if (!found[i]) {
       std::vector<std::uint64_t> numbers;
-      for (const VertexId v : tuples[i]) numbers.push_back(vertex_number(*body.mesh, v));
+      for (const VertexId v : tuples[i]) numbers.push_back(vertex_number(mesh, v));
       throw InputError(
           fmt::format("{}: {} asks for the facet ({}), which no cell has; check the "
                       "vertex numbers",
-                      body.mesh->source, asked_by, listed(numbers)));
+                      mesh.source, asked_by, listed(numbers)));
     }
     located.push_back(*found[i]);
   }
@@ -204,12 +204,12 @@ std::vector<std::uint32_t> vertices_of(const Mesh& mesh, const Group& group) {
   return vertices;
 }
 
-#define CLEAVE_INSTANTIATE(D)                                                                 \
-  template CellSoup<D> soup_of<D>(const Mesh&);                                               \
-  template Body<D> make_body<D>(const Mesh&);                                                 \
-  template std::vector<std::array<double, D>> points_of<D>(const Body<D>&);                   \
-  template std::vector<HalfFacetId> locate<D>(const Body<D>&, std::span<const std::uint32_t>, \
-                                              const std::string&);                            \
+#define CLEAVE_INSTANTIATE(D)                                                              \
+  template CellSoup<D> soup_of<D>(const Mesh&);                                            \
+  template Body<D> make_body<D>(const Mesh&);                                              \
+  template std::vector<std::array<double, D>> points_of<D>(const Body<D>&);                \
+  template std::vector<HalfFacetId> locate<D>(const Mesh&, std::span<const std::uint32_t>, \
+                                              const std::string&);                         \
   template SortedOut sort_out<D>(const topology::Complex<D>&, std::span<const HalfFacetId>);
 CLEAVE_INSTANTIATE(1)
 CLEAVE_INSTANTIATE(2)

@@ -61,8 +61,7 @@ std::vector<std::array<double, static_cast<std::size_t>(D)>> points_of(const Bod
 /// a facet of no cell, naming it by the file's numbers; `asked_by` says who asked for it in that
 /// message ("group \"fault\"", "facets.json"). Time: linear in the cells and facets.
 template <int D>
-std::vector<topology::HalfFacetId> locate(const Body<D>& body,
-                                          std::span<const std::uint32_t> facets,
+std::vector<topology::HalfFacetId> locate(const Mesh& mesh, std::span<const std::uint32_t> facets,
                                           const std::string& asked_by);
 
 /// Of facets given by any of their half-facets, those that can be cut and the others.

@@ -60,6 +60,8 @@ int guarded(const Action& action) {
 
 void warn(const std::string& text) { print_on_stderr("cleave: warning: " + text); }
 
+void note(const std::string& text) { complain("cleave: " + text); }
+
 void refuse_report_onto(const std::string& report, const std::vector<std::string>& files) {
   if (report.empty() || report == "-") return;
   for (const std::string& file : files)

@@ -41,6 +41,9 @@ int complain(const Failure& failure);
 /// Prints "cleave: warning: .." on stderr.
 void warn(const std::string& text);
 
+/// Prints "cleave: .." on stderr: what a user should know and need not heed.
+void note(const std::string& text);
+
 /// Throws CLI::ValidationError if `report`, where a command is to write its report, is one of
 /// `files`, which the command reads or writes. Empty names and "-" are no files.
 void refuse_report_onto(const std::string& report, const std::vector<std::string>& files);

@@ -3,10 +3,10 @@
 
 #include "choice.hpp"
 #include "commands.hpp"
+#include "cut_files.hpp"
 #include "cut_mesh.hpp"
 #include "error.hpp"
 #include "mesh_file.hpp"
-#include "output_files.hpp"
 
 namespace cleave::app {
 namespace {
@@ -22,31 +22,29 @@ int run_cut(const CutOptions& options) {
   if (!options.out.empty()) require_format(options);
   Progress progress(6, options.quiet);
   progress.stage("reading " + options.mesh);
-  const Mesh mesh = read_mesh(options.mesh);
-  const CutResult result = cut_mesh(mesh, options, progress);
+  const CutSource source = read_source(options.mesh, options.forget);
+  progress.clear();
+  if (source.record && !options.quiet) note(note_on(source));
+  CutResult result = cut_mesh(source, options, progress);
   progress.clear();
   for (const std::string& note : mesh.dropped) warn(note);
   for (const std::string& warning : result.warnings) warn(warning);
 
-  // All of them appear, or none.
-  OutputFiles files;
-  if (!options.dry_run) {
+  const CutAnswer said =
+      answer(options.json, json_of(result.report),
+             text_of(result.report, options.mesh, options.explain), options.quiet);
+  if (options.dry_run) {
+    write_answer(said);
+  } else {
     progress.stage("writing " + options.out);
-    write_mesh(files, options.out, result.mesh);
+    write_cut(options.out, result.mesh, &result.record, said);
+    progress.clear();
   }
-  if (!options.json.empty() && options.json != "-")
-    files.add(options.json).write(json_of(result.report));
-  files.commit();
-  progress.clear();
-  if (options.json == "-")
-    print(json_of(result.report));
-  else if (!options.quiet)
-    print(text_of(result.report, options.mesh, options.explain));
   return options.require_open && result.report.shut > 0 ? kFindings : kFine;
 }
 
 void add_request(CLI::App& cut, CutOptions& options) {
-  auto* what = cut.add_option_group("What to cut", "exactly one of");
+  auto* what = cut.add_option_group("What to cut", "one of these, or several together");
   what->add_option("--facets", options.facets,
                    "Facets by vertex numbers: JSON {\"facets\": [[a, b, c], ..]}")
       ->option_text("FILE");
@@ -57,7 +55,9 @@ void add_request(CLI::App& cut, CutOptions& options) {
                                  "{\"triangles\": ..} or, in a plane, {\"polyline\": [p, ..]}")
                     ->option_text("FILE");
   what->add_flag("--all", options.all, "Every interior facet");
-  what->require_option(1);
+  what->require_option(1, 0);
+  cut.add_option("--keep", options.keep, "Facet groups of MESH that stay as they are, by name")
+      ->option_text("NAME..");
 
   add_choice<cutting::Rule>(
       cut, "--select", options.select.rule,
@@ -101,6 +101,8 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
   cut->add_flag("--require-open", options->require_open, "Exit with 1 if a facet stays shut");
   cut->add_flag("--strict", options->strict,
                 "Refuse a mesh that is not cut-regular instead of regularising it");
+  cut->add_flag("--forget", options->forget,
+                "Leave out the record of an earlier cut: MESH is a new mesh");
   add_choice<topology::Verify>(
       *cut, "--verify", options->verify,
       {{"none", topology::Verify::none},
@@ -127,7 +129,8 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
     if (!std::isfinite(o.offset))
       throw CLI::ValidationError("--offset", "the distance must be finite");
     refuse_report_onto(o.json, {o.mesh, o.out, o.facets, o.sweep, groups_path(o.mesh).string(),
-                                groups_path(o.out).string()});
+                                groups_path(o.out).string(), record_path(o.mesh).string(),
+                                record_path(o.out).string()});
     chosen = [options] { return run_cut(*options); };
   });
 }

@@ -6,19 +6,20 @@
 #include <set>
 
 #include "cleave/cutting/stroke.hpp"
-#include "cleave/topology/certify.hpp"
 #include "cohesive.hpp"
 #include "cut_request.hpp"
+#include "cut_state.hpp"
 #include "error.hpp"
 #include "file_words.hpp"
-#include "offset.hpp"
 #include "reproducer.hpp"
+#include "requested.hpp"
 
 namespace cleave::app {
 namespace {
 
 using topology::FacetSet;
 using topology::HalfFacetId;
+using topology::VertexId;
 
 // Says which vertices were not cut-regular; with --strict that is the end.
 template <int D>
@@ -39,133 +40,155 @@ void report_regularized(const Body<D>& body, const CutOptions& options, CutResul
                                         which));
 }
 
-// The facets asked for by name, number or --all.
+// One point per vertex of the incision's complex, copies at the places of their originals.
 template <int D>
-std::vector<NamedFacets> requested_facets(const Body<D>& body, const CutOptions& options) {
-  const Mesh& mesh = *body.mesh;
-  if (options.all) {
-    const FacetSet all = FacetSet::all(body.complex);
-    return {{"cut", {all.half_facets().begin(), all.half_facets().end()}, nullptr}};
-  }
-  if (!options.facets.empty())
-    return {{"cut", locate(body, read_facets(options.facets, mesh), options.facets), nullptr}};
-  std::vector<NamedFacets> asked;
-  for (const std::string& name : std::set(options.groups.begin(), options.groups.end())) {
-    const Group& group = facet_group(mesh, name);
-    asked.push_back(
-        {name, locate(body, vertices_of(mesh, group), fmt::format("group \"{}\"", name)), &group});
-  }
-  return asked;
+std::vector<cutting::Point<D>> rest_points(const CutState<D>& state) {
+  auto points = points_of(state.body);
+  const auto originals = static_cast<std::uint32_t>(points.size());
+  points.resize(state.incision.complex().vertex_count());
+  for (std::uint32_t v = originals; v < points.size(); ++v)
+    if (state.incision.complex().a_corner(VertexId{v}))
+      points[v] = points[state.incision.original(VertexId{v}).value];
+  return points;
 }
 
+// One request, made in a state.
 template <int D>
-NamedFacets sweep_through(const Body<D>& body, const CutOptions& options,
-                          topology::Incision<D>& incision, CutResult& result) {
-  if constexpr (D == 1) {
-    throw InputError(options.mesh +
-                     ": nothing can be swept through edges; use --facets, --group or "
-                     "--all");
-  } else {
-    const auto sweep = read_sweep<D>(options.sweep);
-    auto points = points_of(body);
-    const auto stroke = cutting::cut_along(incision, points, sweep, options.select, options.verify);
-    if (stroke.scored.empty())
-      result.warnings.push_back(options.sweep +
-                                ": the sweep selects no facet; does it meet the "
-                                "body? Its coordinates are those of the mesh");
-    return {
-        "cut", {stroke.scored.half_facets().begin(), stroke.scored.half_facets().end()}, nullptr};
-  }
-}
+class Cutting {
+ public:
+  Cutting(const CutSource& source, const CutOptions& options, CutState<D>& state, CutResult& result)
+      : source_(source), options_(options), state_(state), result_(result) {}
 
-// Scores what is asked for; fills in how many facets that were. `attempted` is the last set that
-// was cut along, or began to be.
-template <int D>
-std::vector<NamedFacets> cut(const Body<D>& body, const CutOptions& options,
-                             topology::Incision<D>& incision, FacetSet& attempted,
-                             CutResult& result) {
-  if (!options.sweep.empty()) {
-    auto swept = sweep_through(body, options, incision, result);
-    result.report.requested = swept.facets.size();
-    return {std::move(swept)};
+  // Scores what is asked for. `attempted` is the last set that was cut along, or began to be.
+  void run(FacetSet& attempted) {
+    std::vector<HalfFacetId> kept;
+    for (const std::string& name : options_.keep) append(kept, facets_of_group<D>(source_, name));
+    const FacetSet keep = interior(kept).interior;
+    cut_named(keep, attempted);
+    if (!options_.sweep.empty()) sweep(keep);
   }
-  auto asked = requested_facets(body, options);
-  std::vector<HalfFacetId> facets;
-  for (const NamedFacets& named : asked)
-    facets.insert(facets.end(), named.facets.begin(), named.facets.end());
-  const SortedOut sorted = sort_out(body.complex, std::span<const HalfFacetId>(facets));
-  result.report.requested = sorted.interior.size();
-  result.report.not_interior = sorted.boundary.size();
-  if (!sorted.boundary.empty())
-    result.warnings.push_back(
-        fmt::format("{}: {} on the boundary already and left alone, such as ({})", options.mesh,
-                    counted(sorted.boundary.size(), "facet asked for is", "facets asked for are"),
-                    listed(facet_vertices(*body.mesh, sorted.boundary.front()))));
-  if (facets.empty()) result.warnings.push_back(options.mesh + ": no facet was asked for");
-  attempted = sorted.interior;
-  incision.cut(sorted.interior, options.verify);
-  return asked;
-}
 
-// Certifies that the cells of OUT are those of MESH unglued along the scored facets and nothing
-// else (T11: from the file as it was, regularisation included).
-template <int D>
-void certify_output(const Body<D>& body, const topology::Incision<D>& incision, const Mesh& out) {
-  const auto before = soup_of<D>(*body.mesh), after = soup_of<D>(out);
-  const FacetSet scored = incision.scored();
-  const auto rejection = topology::certify<D>(before.cells, scored.half_facets(), after.cells);
-  if (rejection) throw topology::InvariantBroken("not certified: " + describe(*rejection));
-}
-
-template <int D>
-CutResult cut_cells(const Mesh& mesh, const CutOptions& options, Progress& progress) {
-  CutResult result;
-  progress.stage("looking at the cells");
-  const Body<D> body = make_body<D>(mesh);
-  report_regularized(body, options, result);
-  topology::Incision<D> incision(body.complex);
-  FacetSet attempted;
-  CutOutput output;
-  try {
-    progress.stage("cutting");
-    const auto asked = cut(body, options, incision, attempted, result);
-    progress.stage("naming what opened");
-    output = cut_output(body, incision, asked,
-                        numbering_of(options.out.empty() ? options.mesh : options.out));
-    if constexpr (D >= 2)
-      if (options.cohesive) add_cohesive(body, output);
-    if (options.offset > 0) move_sides(body, incision, options.offset, output);
-    if (options.verify == topology::Verify::all) certify_output(body, incision, output.mesh);
-  } catch (const topology::InvariantBroken& e) {
-    const auto path = (options.out.empty() ? "cleave" : options.out) + ".reproducer.json";
-    write_reproducer(path, body.complex, incision.scored() | attempted, e.what());
-    throw topology::InvariantBroken(
-        fmt::format("{}; {} has the cells and the facets", e.what(), path));
+ private:
+  static void append(std::vector<HalfFacetId>& to, const std::vector<HalfFacetId>& more) {
+    to.insert(to.end(), more.begin(), more.end());
   }
+
+  SortedOut interior(const std::vector<HalfFacetId>& facets) const {
+    return sort_out(state_.body.complex, std::span<const HalfFacetId>(facets));
+  }
+
+  void warn(std::string text) { result_.warnings.push_back(std::move(text)); }
+
+  // By number, group or --all.
+  void cut_named(const FacetSet& keep, FacetSet& attempted) {
+    std::vector<HalfFacetId> facets, others;
+    for (const std::string& name : std::set(options_.groups.begin(), options_.groups.end())) {
+      if (made_by_cut(source_, name)) {
+        warn(
+            fmt::format("{}: the group {} is what an earlier cut made; its facets are scored "
+                        "already",
+                        options_.mesh, name));
+        continue;
+      }
+      facets_of_group<D>(source_, name);  // refuses an unknown name in the words of MESH
+      state_.name(name);
+      append(facets, state_.groups.at(name));
+    }
+    if (!options_.facets.empty()) others = facets_in<D>(source_, options_.facets);
+    if (options_.all) append(others, FacetSet::all(state_.body.complex).half_facets());
+    append(facets, others);
+    if (facets.empty() && options_.sweep.empty()) warn(options_.mesh + ": no facet was asked for");
+
+    const SortedOut sorted = interior(facets);
+    result_.report.not_interior = sorted.boundary.size();
+    if (!sorted.boundary.empty())
+      warn(
+          fmt::format("{}: {} on the boundary already and left alone, such as ({})", options_.mesh,
+                      counted(sorted.boundary.size(), "facet asked for is", "facets asked for are"),
+                      listed(facet_vertices(source_.mesh, sorted.boundary.front()))));
+    result_.report.kept = (sorted.interior & keep).size();
+    attempted = sorted.interior - keep;
+    state_.incision.cut(attempted, options_.verify);
+    state_.others = state_.others | (interior(others).interior - keep);
+  }
+
+  void sweep(const FacetSet& keep) {
+    if constexpr (D == 1) {
+      throw InputError(options_.mesh +
+                       ": nothing can be swept through edges; use --facets, --group or --all");
+    } else {
+      const auto sweep = read_sweep<D>(options_.sweep);
+      auto points = rest_points(state_);
+      const auto stroke = cutting::cut_along(state_.incision, points, sweep, options_.select,
+                                             options_.verify, keep);
+      if (stroke.scored.empty() && stroke.excepted.empty())
+        warn(options_.sweep +
+             ": the sweep selects no facet; does it meet the body? Its coordinates are those of "
+             "the mesh");
+      result_.report.kept += stroke.excepted.size();
+      state_.others = state_.others | stroke.scored;
+    }
+  }
+
+  const CutSource& source_;
+  const CutOptions& options_;
+  CutState<D>& state_;
+  CutResult& result_;
+};
+
+void warn_of_output(const CutSource& source, const CutOutput& output, CutResult& result) {
   for (const std::string& warning : output.warnings)
-    result.warnings.push_back(options.mesh + ": " + warning);
+    result.warnings.push_back(source.mesh.source + ": " + warning);
   for (const OneSidedSheet& sheet : output.one_sided)
     result.warnings.push_back(fmt::format(
         "{}: the facets of {} form a sheet with one side only; its minus and plus sides change "
         "places where this loop of {} facets closes, at facet ({})",
-        options.mesh, sheet.name, sheet.loop.size(),
-        listed(facet_vertices(mesh, sheet.loop.front()))));
+        source.mesh.source, sheet.name, sheet.loop.size(),
+        listed(facet_vertices(source.mesh, sheet.loop.front()))));
+}
+
+template <int D>
+CutResult cut_cells(const CutSource& source, const CutOptions& options, Progress& progress) {
+  CutResult result;
+  progress.stage("looking at the cells");
+  CutState<D> state(source.original());
+  report_regularized(state.body, options, result);
+  resume(state, source);
+  if (source.record)
+    result.report.earlier =
+        CutReport::Earlier{source.record->opened.size(), source.record->shut.size()};
+  state.cohesive = state.cohesive || options.cohesive;
+  if (options.offset > 0) state.offset = options.offset;
+  if (state.cohesive) require_cohesive(source.original());
+  FacetSet attempted;
+  CutOutput output;
+  try {
+    progress.stage("cutting");
+    Cutting<D>(source, options, state, result).run(attempted);
+    progress.stage("naming what opened");
+    const std::string& target = options.out.empty() ? options.mesh : options.out;
+    output = output_of(state, numbering_of(target));
+    if (options.verify == topology::Verify::all) certify(state, output.mesh);
+    if (!options.dry_run) result.record = record_of(state, output, target);
+  } catch (const topology::InvariantBroken& e) {
+    const auto path = (options.out.empty() ? "cleave" : options.out) + ".reproducer.json";
+    write_reproducer(path, state.body.complex, state.incision.scored() | attempted, e.what());
+    throw topology::InvariantBroken(
+        fmt::format("{}; {} has the cells and the facets", e.what(), path));
+  }
+  warn_of_output(source, output, result);
   progress.stage("looking at the result");
-  auto report = report_on(body, incision, output, options.explain);
-  report.requested = result.report.requested;
-  report.not_interior = result.report.not_interior;
-  result.report = std::move(report);
+  fill_report(state, source.mesh, output, options.explain, result.report);
   result.mesh = std::move(output.mesh);
   return result;
 }
 
 }  // namespace
 
-CutResult cut_mesh(const Mesh& mesh, const CutOptions& options, Progress& progress) {
-  if (options.cohesive) require_cohesive(mesh);
-  if (mesh.dimension == 1) return cut_cells<1>(mesh, options, progress);
-  if (mesh.dimension == 2) return cut_cells<2>(mesh, options, progress);
-  return cut_cells<3>(mesh, options, progress);
+CutResult cut_mesh(const CutSource& source, const CutOptions& options, Progress& progress) {
+  if (source.mesh.dimension == 1) return cut_cells<1>(source, options, progress);
+  if (source.mesh.dimension == 2) return cut_cells<2>(source, options, progress);
+  return cut_cells<3>(source, options, progress);
 }
 
 }  // namespace cleave::app

@@ -1,39 +1,44 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cleave/cutting/select.hpp"
 #include "cleave/topology/unglue.hpp"
 #include "cut_report.hpp"
+#include "cut_source.hpp"
 #include "progress.hpp"
 
 namespace cleave::app {
 
-/// A request to cut, as the command line makes it. Exactly one of facets, groups, sweep and all.
+/// A request to cut, as the command line makes it: facets, groups, a sweep and all may be given
+/// together; the sweep comes last.
 struct CutOptions {
   std::string mesh, out;  // out may be empty for a dry run
   std::string facets, sweep;
-  std::vector<std::string> groups;
+  std::vector<std::string> groups, keep;
   bool all = false;
   cutting::SelectOptions select;
   topology::Verify verify = topology::Verify::touched;
   bool cohesive = false;
   double offset = 0;
   bool dry_run = false, explain = false, require_open = false, strict = false, quiet = false;
+  bool forget = false;  // the record beside the mesh
   std::string json;
 };
 
-/// What a cut made: the mesh for OUT, and the report.
+/// What a cut made: the mesh for OUT, its record without the hashes, and the report.
 struct CutResult {
   Mesh mesh;
+  IncisionRecord record;
   CutReport report;
   std::vector<std::string> warnings;
 };
 
-/// Cuts `mesh` as asked; nothing is written but, when a verification fails, a reproducer. Verified
-/// as options.verify says; Verify::all also certifies the cells of the output as a whole. Throws
-/// InputError for a mesh or request that cannot be, InvariantBroken when a verification fails: its
-/// message names the reproducer.
-CutResult cut_mesh(const Mesh& mesh, const CutOptions& options, Progress& progress);
+/// Cuts the mesh of `source` as asked, after what its record says; nothing is written but, when a
+/// verification fails, a reproducer. Verified as options.verify says; Verify::all also certifies
+/// the cells of the output as a whole. Throws InputError for a mesh or request that cannot be,
+/// InvariantBroken when a verification fails: its message names the reproducer.
+CutResult cut_mesh(const CutSource& source, const CutOptions& options, Progress& progress);
 
 }  // namespace cleave::app

@@ -29,13 +29,14 @@ void check_result(const topology::Complex<D>& k, CutReport& report) {
 }
 
 template <int D>
-void list_copies(const Body<D>& body, const Incision<D>& incision, const CutOutput& output,
+void list_copies(const CutState<D>& state, const Shown<D>& shown, const CutOutput& output,
                  CutReport& report) {
+  const auto number = shown.by_place();
   for (const VertexId v : output.vertex_at) {
-    if (v == kNoVertex) continue;
-    const CutReport::Copy copy{output.number_of[v.value], body.number(incision.original(v))};
-    if (v.value < body.mesh->points.size()) continue;
-    (v.value < incision.original_vertex_count() ? report.regularized : report.splits)
+    if (v == kNoVertex || v.value < state.body.mesh->points.size()) continue;
+    const CutReport::Copy copy{output.number_of[v.value],
+                               number[state.body.place(state.incision.original(v))]};
+    (v.value < state.incision.original_vertex_count() ? report.regularized : report.splits)
         .push_back(copy);
   }
 }
@@ -50,57 +51,68 @@ std::size_t copied_nodes(const CutOutput& output) {
   return origins.size() - static_cast<std::size_t>(distinct);
 }
 
+template <int D>
+CutReport::Shut shut_facet(const CutState<D>& state, const Shown<D>& shown,
+                           topology::HalfFacetId h) {
+  CutReport::Shut shut{facet_vertices(shown.mesh(), h), {}};
+  const auto& incision = state.incision;
+  for (const auto& because : topology::explain(incision.complex(), incision.shut(), h)) {
+    auto& reason = shut.because.emplace_back();
+    reason.vertex = shown.vertex(h, incision.original(because.vertex));
+    for (const auto cell : because.through)
+      reason.through.push_back(cell_number(shown.mesh(), cell));
+  }
+  return shut;
+}
+
 }  // namespace
 
 template <int D>
-CutReport report_on(const Body<D>& body, const Incision<D>& incision, const CutOutput& output,
-                    bool with_opened) {
-  const Mesh& mesh = *body.mesh;
-  const auto& after = incision.complex();
-  CutReport report;
+void fill_report(const CutState<D>& state, const Mesh& mesh, const CutOutput& output,
+                 bool with_opened, CutReport& report) {
+  const Shown<D> shown(state.body, mesh);
+  const auto& after = state.incision.complex();
+  const auto opened = state.incision.opened();
   report.cells = after.cell_count();
   report.edge_nodes_after = static_cast<std::size_t>(
       std::count(output.vertex_at.begin(), output.vertex_at.end(), kNoVertex));
   report.vertices_after = output.vertex_at.size() - report.edge_nodes_after;
   report.edge_nodes_before = report.edge_nodes_after - copied_nodes(output);
   report.cohesive = output.mesh.cohesive.size();
-  report.opened = incision.opened().size();
-  report.shut = incision.shut().size();
-  report.pieces_before = topology::pieces(body.complex).count;
+  report.opened = opened.size();
+  report.shut = state.incision.shut().size();
+  report.requested = report.opened + report.shut;
+  report.pieces_before = topology::pieces(state.body.complex).count;
   report.pieces_after = topology::pieces(after).count;
   check_result(after, report);
-  list_copies(body, incision, output, report);
+  list_copies(state, shown, output, report);
   report.vertices_before = report.vertices_after - report.regularized.size() - report.splits.size();
 
-  for (const auto h : incision.shut().half_facets()) {
-    auto& shut = report.shut_facets.emplace_back();
-    shut.facet = facet_vertices(mesh, h);
-    for (const auto& because : topology::explain(after, incision.shut(), h)) {
-      auto& reason = shut.because.emplace_back();
-      reason.vertex = body.number(incision.original(because.vertex));
-      for (const auto cell : because.through) reason.through.push_back(cell_number(mesh, cell));
-    }
-  }
+  for (const auto h : state.incision.shut().half_facets())
+    report.shut_facets.push_back(shut_facet(state, shown, h));
   if (with_opened) {
     report.opened_facets.emplace();
-    for (const auto& opened : incision.opened())
+    for (const auto& facet : opened)
       report.opened_facets->push_back(
-          {facet_vertices(mesh, opened.half_facet), body.number(opened.by)});
+          {facet_vertices(mesh, facet.half_facet), shown.vertex(facet.half_facet, facet.by)});
   }
   for (const OneSidedSheet& sheet : output.one_sided) {
     auto& one_sided = report.one_sided.emplace_back();
     one_sided.name = sheet.name;
     for (const auto h : sheet.loop) one_sided.loop.push_back(facet_vertices(mesh, h));
   }
-  return report;
 }
 
 std::string text_of(const CutReport& report, const std::string& source, bool explain) {
   std::string text = fmt::format(
-      "{}: {}: {} opened, {} shut{}; pieces {} -> {}; vertices {} -> {}; {}cells {}{}\n", source,
-      counted(report.requested, "facet"), report.opened, report.shut,
+      "{}: {}: {} opened, {} shut{}{}{}; pieces {} -> {}; vertices {} -> {}; {}cells {}{}\n",
+      source, counted(report.requested, "facet"), report.opened, report.shut,
+      report.earlier
+          ? fmt::format(" ({} and {} before)", report.earlier->opened, report.earlier->shut)
+          : "",
       report.not_interior == 0 ? "" : fmt::format(", {} on the boundary", report.not_interior),
-      report.pieces_before, report.pieces_after, report.vertices_before, report.vertices_after,
+      report.kept == 0 ? "" : fmt::format(", {} kept", report.kept), report.pieces_before,
+      report.pieces_after, report.vertices_before, report.vertices_after,
       report.edge_nodes_before == 0
           ? ""
           : fmt::format("nodes on edges {} -> {}; ", report.edge_nodes_before,
@@ -124,8 +136,8 @@ std::string text_of(const CutReport& report, const std::string& source, bool exp
   return text;
 }
 
-template CutReport report_on<1>(const Body<1>&, const Incision<1>&, const CutOutput&, bool);
-template CutReport report_on<2>(const Body<2>&, const Incision<2>&, const CutOutput&, bool);
-template CutReport report_on<3>(const Body<3>&, const Incision<3>&, const CutOutput&, bool);
+template void fill_report<1>(const CutState<1>&, const Mesh&, const CutOutput&, bool, CutReport&);
+template void fill_report<2>(const CutState<2>&, const Mesh&, const CutOutput&, bool, CutReport&);
+template void fill_report<3>(const CutState<3>&, const Mesh&, const CutOutput&, bool, CutReport&);
 
 }  // namespace cleave::app

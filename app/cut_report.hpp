@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cut_output.hpp"
+#include "cut_state.hpp"
 
 namespace cleave::app {
 
@@ -26,6 +26,9 @@ struct CutReport {
     std::vector<std::uint64_t> facet;
     std::uint64_t by;  // a vertex that separates its sides
   };
+  struct Earlier {
+    std::size_t opened, shut;
+  };
   struct OneSided {
     std::string name;
     std::vector<std::vector<std::uint64_t>> loop;  // facets
@@ -33,8 +36,10 @@ struct CutReport {
 
   std::size_t cells = 0, vertices_before = 0, vertices_after = 0;  // vertices that cells use
   std::size_t edge_nodes_before = 0, edge_nodes_after = 0;         // of second order, no vertices
-  std::size_t cohesive = 0;  // elements put between opened sides
-  std::size_t requested = 0, opened = 0, shut = 0, not_interior = 0;
+  std::size_t cohesive = 0;                         // elements put between opened sides
+  std::size_t requested = 0, opened = 0, shut = 0;  // the scored facets, earlier cuts' among them
+  std::size_t not_interior = 0, kept = 0;           // asked for, but not scored
+  std::optional<Earlier> earlier;                   // what the record of MESH says
   std::size_t pieces_before = 0, pieces_after = 0;
   bool cut_regular = true;  // the result
   std::size_t pinched_edges = 0;
@@ -44,11 +49,12 @@ struct CutReport {
   std::vector<OneSided> one_sided;
 };
 
-/// The report on `incision`, made from `body`, whose output is `output`. Fills everything but
-/// requested and not_interior, and opened_facets only if `with_opened`. Time: linear in the mesh.
+/// Fills `report` in for `state`, whose output is `output`; facets and parents have the numbers of
+/// `shown`, the mesh that MESH holds. Leaves not_interior, kept and earlier alone; opened_facets
+/// only if `with_opened`. Time: linear in the mesh.
 template <int D>
-CutReport report_on(const Body<D>& body, const topology::Incision<D>& incision,
-                    const CutOutput& output, bool with_opened);
+void fill_report(const CutState<D>& state, const Mesh& shown, const CutOutput& output,
+                 bool with_opened, CutReport& report);
 
 /// A few lines; with `explain` one more for each shut or opened facet.
 std::string text_of(const CutReport& report, const std::string& source, bool explain);

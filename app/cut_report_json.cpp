@@ -33,7 +33,8 @@ std::string json_of(const CutReport& report) {
              {{"requested", report.requested},
               {"opened", report.opened},
               {"shut", report.shut},
-              {"not_interior", report.not_interior}}},
+              {"not_interior", report.not_interior},
+              {"kept", report.kept}}},
             {"pieces", {{"before", report.pieces_before}, {"after", report.pieces_after}}},
             {"cut_regular", report.cut_regular},
             {"pinched_edges", report.pinched_edges},
@@ -41,6 +42,8 @@ std::string json_of(const CutReport& report) {
             {"splits", json_of(report.splits)},
             {"shut_facets", Json::array()},
             {"one_sided", Json::array()}};
+  if (report.earlier)
+    json["earlier"] = {{"opened", report.earlier->opened}, {"shut", report.earlier->shut}};
   for (const auto& shut : report.shut_facets) json["shut_facets"].push_back(json_of(shut));
   for (const auto& sheet : report.one_sided)
     json["one_sided"].push_back({{"name", sheet.name}, {"loop", sheet.loop}});

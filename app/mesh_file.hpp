@@ -1,6 +1,8 @@
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <string>
 
 #include "mesh.hpp"
 #include "mesh_formats.hpp"

@@ -85,6 +85,7 @@ void OutputFile::open_temporary() {
 }
 
 void OutputFile::write(std::string_view bytes) {
+  if (digest_ != nullptr) digest_->add(bytes);
   if (buffer_.size() + bytes.size() > kBufferSize) {
     write_out(buffer_);
     buffer_.clear();

@@ -7,6 +7,7 @@
 
 #include "error.hpp"
 #include "replace_files.hpp"
+#include "sha256.hpp"
 #include "temporaries.hpp"
 
 namespace cleave::app {
@@ -28,6 +29,9 @@ class OutputFile {
 
   /// Appends. Buffered: an error may show up in a later call, in commit() at the latest.
   void write(std::string_view bytes);
+
+  /// What is written from now on is added to `digest` too, which must outlive it.
+  void digest_into(Sha256& digest) { digest_ = &digest; }
 
   /// Makes the file appear under its name. Call once, as the last thing.
   void commit();
@@ -52,6 +56,7 @@ class OutputFile {
   std::unique_ptr<WatchedTemporary> watch_;
   int descriptor_ = -1;
   bool in_place_ = false;
+  Sha256* digest_ = nullptr;
   std::string buffer_;
 };
 

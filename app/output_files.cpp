@@ -3,7 +3,15 @@
 namespace cleave::app {
 
 OutputFile& OutputFiles::add(const std::filesystem::path& target) {
-  return files_.emplace_back(target);
+  OutputFile& file = files_.emplace_back(target);
+  if (hashed_) file.digest_into(digests_.emplace_back(target, Sha256()).second);
+  return file;
+}
+
+std::vector<std::pair<std::filesystem::path, std::string>> OutputFiles::sha256() {
+  std::vector<std::pair<std::filesystem::path, std::string>> hashes;
+  for (auto& [target, digest] : digests_) hashes.emplace_back(target, digest.hex());
+  return hashes;
 }
 
 void OutputFiles::remove(const std::filesystem::path& target) { gone_.push_back(target); }

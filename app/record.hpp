@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -96,15 +97,23 @@ Mesh restore_original(const OriginalRecord& record, const Mesh& out, const std::
 using FacetSides = std::pair<std::uint32_t, std::uint32_t>;
 
 struct IncisionRecord {
-  std::string sha256;        // of the bytes of OUT
-  std::string names_sha256;  // of those of OUT.groups.json; empty: there is no such file
+  std::map<std::string, std::string> sha256;  // of the files that OUT is: by what their names have
+                                              // after the stem of OUT (".msh", ".vtu.groups.json")
   int dimension = 0;
   std::uint64_t cells = 0;
   OriginalRecord original;
   std::vector<FacetSides> opened, shut;  // the scored facets, lesser half-facet first, ascending
   std::vector<std::string> groups;       // facet groups of the original asked for, by name
   std::vector<std::uint32_t> others;     // scored facets asked for otherwise: lesser half-facets
+  bool cohesive = false;                 // OUT has cohesive elements between the sides
+  double offset = 0;                     // by which the sides are apart in OUT
 };
+
+/// The file that the record of the mesh file at `mesh_path` has the hash of by `suffix`, and back.
+std::filesystem::path hashed_path(const std::filesystem::path& mesh_path,
+                                  const std::string& suffix);
+std::string hashed_suffix(const std::filesystem::path& mesh_path,
+                          const std::filesystem::path& file);
 
 /// Where the record of a mesh file is.
 std::filesystem::path record_path(const std::filesystem::path& mesh_path);

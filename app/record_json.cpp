@@ -275,16 +275,33 @@ std::vector<FacetSides> facets_of(const JsonValue& value) {
 
 }  // namespace
 
+std::filesystem::path hashed_path(const std::filesystem::path& mesh_path,
+                                  const std::string& suffix) {
+  return mesh_path.parent_path() / (mesh_path.stem().string() + suffix);
+}
+
+std::string hashed_suffix(const std::filesystem::path& mesh_path,
+                          const std::filesystem::path& file) {
+  return file.filename().string().substr(mesh_path.stem().string().size());
+}
+
+std::filesystem::path record_path(const std::filesystem::path& mesh_path) {
+  std::filesystem::path path = mesh_path;
+  path += ".cleave.json";
+  return path;
+}
+
 std::optional<std::string> json_of(const IncisionRecord& record) {
   const Json json{{"schema", "cleave-incision/1"},
                   {"sha256", record.sha256},
-                  {"names_sha256", record.names_sha256},
                   {"dimension", record.dimension},
                   {"cells", record.cells},
                   {"opened", json_of(record.opened)},
                   {"shut", json_of(record.shut)},
                   {"groups", record.groups},
                   {"others", record.others},
+                  {"cohesive", record.cohesive},
+                  {"offset", record.offset},
                   {"original", json_of(record.original)}};
   try {
     return json.dump() + "\n";
@@ -297,12 +314,18 @@ IncisionRecord read_record(const std::filesystem::path& path) {
   const InputText text(path);
   const auto json = parse_json(text.bytes(), text.source());
   const JsonValue document(json, text.source());
-  document.only({"schema", "sha256", "names_sha256", "dimension", "cells", "opened", "shut",
-                 "groups", "others", "original"});
+  document.only({"schema", "sha256", "dimension", "cells", "opened", "shut", "groups", "others",
+                 "cohesive", "offset", "original"});
   document["schema"].choice({"cleave-incision/1"});
   IncisionRecord record;
-  record.sha256 = document["sha256"].string();
-  record.names_sha256 = document["names_sha256"].string();
+  for (const auto& [suffix, hash] : document["sha256"].members()) {
+    if (suffix.find('/') != std::string::npos) hash.fail("a suffix has no folder");
+    record.sha256[suffix] = hash.string();
+  }
+  record.cohesive = document["cohesive"].boolean();
+  record.offset = document["offset"].number();
+  if (!(record.offset >= 0 && std::isfinite(record.offset)))
+    document["offset"].fail("a finite number from 0 on is needed");
   record.dimension = dimension(document["dimension"], 1, 3);
   record.cells = document["cells"].count();
   record.opened = facets_of(document["opened"]);

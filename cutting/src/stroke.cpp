@@ -25,7 +25,8 @@ void make_room(std::vector<T>& elements, std::size_t more) {
 
 template <int D>
 StrokeResult cut_along(topology::Incision<D>& incision, std::vector<Point<D>>& points,
-                       const Sweep<D>& sweep, SelectOptions options, topology::Verify verify) {
+                       const Sweep<D>& sweep, SelectOptions options, topology::Verify verify,
+                       const FacetSet& except) {
   require_valid(sweep);
   const Selector<D> selector(incision, points, options);
   const FacetSet left_by_others = incision.shut();
@@ -35,8 +36,10 @@ StrokeResult cut_along(topology::Incision<D>& incision, std::vector<Point<D>>& p
   std::vector<topology::HalfFacetId> settled;  // scored by this stroke and opened
   for (std::size_t first = 0, last = 0; first < sweep.simplices.size(); first = last) {
     last = sweep.step(sweep.step_of[first]).second;
-    const FacetSet toggled =
+    const FacetSet chosen =
         selector.toggle(std::span(sweep.simplices).subspan(first, last - first), sets);
+    const FacetSet toggled = chosen - except;
+    if (toggled.size() != chosen.size()) result.excepted = result.excepted | (chosen & except);
     if (toggled.empty()) continue;
     incision.forget_shut((pending & toggled) - left_by_others);
     const FacetSet scored = pending ^ toggled;
@@ -53,8 +56,8 @@ StrokeResult cut_along(topology::Incision<D>& incision, std::vector<Point<D>>& p
 }
 
 template StrokeResult cut_along(topology::Incision<2>&, std::vector<Point<2>>&, const Sweep<2>&,
-                                SelectOptions, topology::Verify);
+                                SelectOptions, topology::Verify, const FacetSet&);
 template StrokeResult cut_along(topology::Incision<3>&, std::vector<Point<3>>&, const Sweep<3>&,
-                                SelectOptions, topology::Verify);
+                                SelectOptions, topology::Verify, const FacetSet&);
 
 }  // namespace cleave::cutting

@@ -1,0 +1,58 @@
+#include "cut_files.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+
+#include "commands.hpp"
+#include "error.hpp"
+#include "mesh_file.hpp"
+#include "output_files.hpp"
+
+namespace cleave::app {
+namespace {
+
+bool is_special(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
+}
+
+}  // namespace
+
+CutAnswer answer(const std::string& json_option, std::string json, std::string text, bool quiet) {
+  if (json_option == "-") return {"", "", std::move(json)};
+  return {json_option, std::move(json), quiet ? "" : std::move(text)};
+}
+
+void write_answer(const CutAnswer& answer) {
+  OutputFiles files;
+  if (!answer.json_file.empty()) files.add(answer.json_file).write(answer.json);
+  print(answer.text);
+  files.commit();
+}
+
+void write_cut(const std::string& out, const Mesh& mesh, IncisionRecord* record,
+               const CutAnswer& answer) {
+  OutputFiles files(record != nullptr);
+  write_mesh(files, out, mesh);
+  std::optional<std::string> text;
+  if (record != nullptr && !is_special(out)) {
+    for (const auto& [file, hash] : files.sha256()) record->sha256[hashed_suffix(out, file)] = hash;
+    text = json_of(*record);
+    if (!text)
+      warn(
+          fmt::format("{}: a group has a name that is not UTF-8, so no record is kept: facets of "
+                      "this cut cannot be taken back; rename the group",
+                      out));
+  }
+  if (text)
+    files.add(record_path(out)).write(*text);
+  else if (!is_special(out))
+    files.remove(record_path(out));
+  if (!answer.json_file.empty()) files.add(answer.json_file).write(answer.json);
+  print(answer.text);
+  files.commit();
+}
+
+}  // namespace cleave::app

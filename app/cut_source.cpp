@@ -1,0 +1,64 @@
+#include "cut_source.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "error.hpp"
+#include "file_words.hpp"
+#include "mesh_file.hpp"
+#include "sha256.hpp"
+
+namespace cleave::app {
+namespace {
+
+// Throws unless the files of the mesh are those that the record was written for.
+void require_unchanged(const std::string& path, const IncisionRecord& record) {
+  const auto refuse = [&](const std::filesystem::path& file, const std::string& why) {
+    throw InputError(
+        fmt::format("{}: this file is not the one that {} was written for ({}); restore it, or "
+                    "give --forget (or "
+                    "remove the record) to take the mesh as it is for a new one",
+                    file.string(), record_path(path).string(), why));
+  };
+  std::error_code error;
+  for (const auto& [suffix, hash] : record.sha256) {
+    const auto file = hashed_path(path, suffix);
+    if (!std::filesystem::exists(file, error)) refuse(file, "it is missing");
+    if (sha256_of_file(file) != hash) refuse(file, "its SHA-256 has changed");
+  }
+  for (const auto& file : {std::filesystem::path(path), groups_path(path)})
+    if (std::filesystem::exists(file, error) && record.sha256.count(hashed_suffix(path, file)) == 0)
+      refuse(file, "there was none");
+}
+
+}  // namespace
+
+CutSource read_source(const std::string& path, bool forget) {
+  CutSource source;
+  const std::string record = record_path(path).string();
+  std::error_code error;
+  const bool recorded = !forget && std::filesystem::exists(record, error);
+  if (recorded) {
+    source.record = read_record(record);
+    require_unchanged(path, *source.record);
+  }
+  source.mesh = read_mesh(path);
+  if (!recorded) return source;
+  if (source.record->dimension != source.mesh.dimension)
+    throw InputError(
+        fmt::format("{}: at /dimension: the mesh {} has dimension {}; restore both "
+                    "files, or give --forget to start anew",
+                    record, path, source.mesh.dimension));
+  source.restored = restore_original(source.record->original, source.mesh, record);
+  return source;
+}
+
+std::string note_on(const CutSource& source) {
+  return fmt::format("{}: cut before; going on from {}, by which {} {} opened and {} shut",
+                     source.mesh.source, record_path(source.mesh.source).string(),
+                     counted(source.record->opened.size(), "facet"),
+                     source.record->opened.size() == 1 ? "is" : "are", source.record->shut.size());
+}
+
+}  // namespace cleave::app
