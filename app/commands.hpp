@@ -20,6 +20,7 @@ void add_cut_command(CLI::App& cleave, Action& chosen);
 void add_info_command(CLI::App& cleave, Action& chosen);
 void add_run_command(CLI::App& cleave, Action& chosen);
 void add_reduce_command(CLI::App& cleave, Action& chosen);
+void add_stitch_command(CLI::App& cleave, Action& chosen);
 
 /// Does `action` and turns what it throws into a message on stderr and an exit status: InputError,
 /// OutputError, too many cells and too little memory into kBadInput; anything else, which is a

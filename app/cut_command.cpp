@@ -24,6 +24,7 @@ int run_cut(const CutOptions& options) {
   progress.stage("reading " + options.mesh);
   const CutSource source = read_source(options.mesh, options.forget);
   progress.clear();
+  for (const std::string& dropped : source.mesh.dropped) warn(dropped);
   if (source.record && !options.quiet) note(note_on(source));
   CutResult result = cut_mesh(source, options, progress);
   progress.clear();
@@ -44,17 +45,25 @@ int run_cut(const CutOptions& options) {
 }
 
 void add_request(CLI::App& cut, CutOptions& options) {
-  auto* what = cut.add_option_group("What to cut", "one of these, or several together");
-  what->add_option("--facets", options.facets,
-                   "Facets by vertex numbers: JSON {\"facets\": [[a, b, c], ..]}")
-      ->option_text("FILE");
-  what->add_option("--group", options.groups, "Facet groups of MESH, by name")
-      ->option_text("NAME..");
-  auto* sweep = what->add_option("--sweep", options.sweep,
-                                 "What a blade sweeps: JSON {\"blade\": [[p, q], ..]}, "
-                                 "{\"triangles\": ..} or, in a plane, {\"polyline\": [p, ..]}")
-                    ->option_text("FILE");
-  what->add_flag("--all", options.all, "Every interior facet");
+  auto* what = cut.add_option_group("What to cut", "one of these, or several; --all alone");
+  auto* facets =
+      what->add_option(
+              "--facets", options.facets,
+              "Facets by vertex numbers: JSON {\"facets\": [[a, b, c], ..]}; - is standard "
+              "input")
+          ->option_text("FILE");
+  auto* groups = what->add_option("--group", options.groups, "Facet groups of MESH, by name")
+                     ->option_text("NAME..");
+  auto* sweep =
+      what->add_option("--sweep", options.sweep,
+                       "What a blade sweeps: JSON {\"blade\": [[p, q], ..]}, "
+                       "{\"triangles\": ..} or, in a plane, {\"polyline\": [p, ..]}; - is "
+                       "standard input")
+          ->option_text("FILE");
+  what->add_flag("--all", options.all, "Every interior facet")
+      ->excludes(facets)
+      ->excludes(groups)
+      ->excludes(sweep);
   what->require_option(1, 0);
   cut.add_option("--keep", options.keep, "Facet groups of MESH that stay as they are, by name")
       ->option_text("NAME..");
@@ -72,6 +81,15 @@ void add_request(CLI::App& cut, CutOptions& options) {
       "(default), or both")
       ->needs(sweep)
       ->option_text("HOW");
+}
+
+// What the options cannot say of each other by themselves.
+void require_sense(const CutOptions& options, bool with_ties) {
+  if (options.facets == "-" && options.sweep == "-")
+    throw CLI::ValidationError("--sweep", "standard input is taken by --facets already");
+  if (with_ties && options.select.rule != cutting::Rule::nearest_vertex)
+    throw CLI::ValidationError(
+        "--ties", "it has a meaning for --select nearest-vertex only; dual-edge knows no ties");
 }
 
 }  // namespace
@@ -122,12 +140,14 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
       "  cleave cut fault.msh -o open.msh --group fault\n"
       "  cleave cut liver.mesh -o cut.vtu --sweep blade.json --json report.json\n"
       "  cleave cut liver.mesh --facets seam.json --dry-run --explain");
-  cut->callback([options, out, dry_run, &chosen] {
+  const auto* ties = cut->get_option("--ties");
+  cut->callback([options, out, dry_run, ties, &chosen] {
     if (out->count() == 0 && dry_run->count() == 0)
       throw CLI::RequiredError("-o OUT (or --dry-run)");
     const CutOptions& o = *options;
     if (!std::isfinite(o.offset))
       throw CLI::ValidationError("--offset", "the distance must be finite");
+    require_sense(o, ties->count() > 0);
     refuse_report_onto(o.json, {o.mesh, o.out, o.facets, o.sweep, groups_path(o.mesh).string(),
                                 groups_path(o.out).string(), record_path(o.mesh).string(),
                                 record_path(o.out).string()});

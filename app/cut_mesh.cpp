@@ -122,7 +122,7 @@ class Cutting {
       const auto stroke = cutting::cut_along(state_.incision, points, sweep, options_.select,
                                              options_.verify, keep);
       if (stroke.scored.empty() && stroke.excepted.empty())
-        warn(options_.sweep +
+        warn((options_.sweep == "-" ? "standard input" : options_.sweep) +
              ": the sweep selects no facet; does it meet the body? Its coordinates are those of "
              "the mesh");
       result_.report.kept += stroke.excepted.size();

@@ -6,9 +6,9 @@
 #include "cleave/cutting/sweep.hpp"
 #include "mesh.hpp"
 
-/// The files that say where to cut: docs/schemas/facets.schema.json and sweep.schema.json. Read
-/// strictly: an unknown key, a wrong type or a number that is not finite is an InputError with the
-/// file and the JSON pointer; a syntax error one with line and column.
+/// The files that say where to cut ("-": standard input): docs/schemas/facets.schema.json and
+/// sweep.schema.json. Read strictly: an unknown key, a wrong type or a number that is not finite is
+/// an InputError with the file and the JSON pointer; a syntax error one with line and column.
 namespace cleave::app {
 
 /// The facets that a file {"facets": [[a, b, c], ..]} names by the numbers of `mesh`: as many

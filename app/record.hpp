@@ -73,6 +73,7 @@ struct OriginalRecord {
   std::optional<std::vector<Periodicity>> periodic;  // none: what OUT has, without copies
   bool two_dimensional_points = false;
   MshVersion msh_version = MshVersion::k41;
+  bool msh_binary = false;
 };
 
 /// What a format gives back of the numbers and elements that are written in it.

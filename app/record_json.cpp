@@ -90,6 +90,7 @@ Json json_of(const OriginalRecord& original) {
   }
   json["two_dimensional_points"] = original.two_dimensional_points;
   json["msh_version"] = original.msh_version == MshVersion::k22 ? "2.2" : "4.1";
+  json["msh_binary"] = original.msh_binary;
   return json;
 }
 
@@ -227,7 +228,7 @@ OriginalRecord::Elements elements_of(const JsonValue& value) {
 OriginalRecord original_of(const JsonValue& value, int cells) {
   value.only({"vertices", "origins", "points", "vertex_numbers", "elements", "groups",
               "point_fields", "cell_fields", "facet_fields", "cohesive", "periodic",
-              "two_dimensional_points", "msh_version"});
+              "two_dimensional_points", "msh_version", "msh_binary"});
   OriginalRecord original;
   original.vertices = id(value["vertices"]);
   for (const JsonValue& item : value["origins"].items()) {
@@ -258,6 +259,7 @@ OriginalRecord original_of(const JsonValue& value, int cells) {
   original.two_dimensional_points = value["two_dimensional_points"].boolean();
   original.msh_version =
       value["msh_version"].choice({"2.2", "4.1"}) == 0 ? MshVersion::k22 : MshVersion::k41;
+  original.msh_binary = value["msh_binary"].boolean();
   return original;
 }
 

@@ -175,6 +175,7 @@ OriginalRecord describe_original(const Mesh& original, const Mesh& out,
     record.periodic = original.periodic;
   record.two_dimensional_points = original.two_dimensional_points;
   record.msh_version = original.msh_version;
+  record.msh_binary = original.msh_binary;
   return record;
 }
 

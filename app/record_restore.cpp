@@ -22,6 +22,7 @@ class Restoration {
     mesh.dimension = out_.dimension;
     mesh.two_dimensional_points = record_.two_dimensional_points;
     mesh.msh_version = record_.msh_version;
+    mesh.msh_binary = record_.msh_binary;
     restore_points(mesh);
     std::array<std::vector<std::uint32_t>, 4> place;  // in OUT, of each element; kNoPlace: none
     for (std::size_t d = 0; d < 4; ++d)

@@ -26,7 +26,8 @@ bool made_by_cut(const CutSource& source, const std::string& name) {
 
 template <int D>
 std::vector<HalfFacetId> facets_in(const CutSource& source, const std::string& file) {
-  return locate<D>(source.mesh, read_facets(file, source.mesh), file);
+  return locate<D>(source.mesh, read_facets(file, source.mesh),
+                   file == "-" ? "standard input" : file);
 }
 
 template <int D>

@@ -120,7 +120,8 @@ TEST_F(BadInput, ASweepThatMissesTheBodySelectsNothing) {
   EXPECT_NE(outcome.err.find("cleave: warning: s.json: the sweep selects no facet"),
             std::string::npos)
       << outcome.err;
-  EXPECT_EQ(files(), (std::vector<std::string>{"m.mesh", "out.mesh", "s.json"}));
+  EXPECT_EQ(files(),
+            (std::vector<std::string>{"m.mesh", "out.mesh", "out.mesh.cleave.json", "s.json"}));
 }
 
 TEST_F(BadInput, OutputThatCannotBeWritten) {

@@ -37,7 +37,7 @@ TEST_F(Liver, FallsIntoItsCellsWhenEverythingIsCut) {
   EXPECT_EQ(r["regularized"].size() + r["splits"].size(), 4u * 16014 - 3449);
   EXPECT_EQ(cleave({"check", "all.mesh", "--require", "manifold"}).status, 0);
 
-  const json again = cut({"all.mesh", "-o", "again.mesh", "--all"});
+  const json again = cut({"all.mesh", "-o", "again.mesh", "--all", "--forget"});
   EXPECT_EQ(again["facets"]["requested"], 0);
   EXPECT_EQ(again["mesh"]["vertices_after"], 4 * 16014);
 }
@@ -59,7 +59,7 @@ TEST_F(Liver, OpensAlongASweepAndNothingMoreTheSecondTime) {
   EXPECT_EQ(sides, 2u * opened);
 
   // The sides are boundary now; the shut facets stay shut when asked for again.
-  std::vector<std::string> again{"cut.mesh", "-o",        "again.mesh",
+  std::vector<std::string> again{"cut.mesh", "-o",        "again.mesh", "--forget",
                                  "--group",  "cut_minus", "cut_plus"};
   if (shut > 0) again.push_back("cut_shut");
   const json second = cut(again);
