@@ -34,6 +34,10 @@ int run_cut(const CutOptions& options) {
   const CutAnswer said =
       answer(options.json, json_of(result.report),
              text_of(result.report, options.mesh, options.explain), options.quiet);
+  if (!options.fix_it.empty()) {
+    said.fix_it_file = options.fix_it;
+    said.fix_it = fix_it_file(result.report);
+  }
   if (options.dry_run) {
     write_answer(said);
   } else {
@@ -85,6 +89,7 @@ void add_request(CLI::App& cut, CutOptions& options) {
 
 // What the options cannot say of each other by themselves.
 void require_sense(const CutOptions& options, bool with_ties) {
+  if (options.fix_it == "-") throw CLI::ValidationError("--fix-it", "give the name of a file");
   if (options.facets == "-" && options.sweep == "-")
     throw CLI::ValidationError("--sweep", "standard input is taken by --facets already");
   if (with_ties && options.select.rule != cutting::Rule::nearest_vertex)
@@ -106,11 +111,29 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
   add_request(*cut, *options);
 
   auto* dry_run = cut->add_flag("--dry-run", options->dry_run, "Do everything but write OUT");
-  cut->add_flag("--explain", options->explain,
-                "Say why facets stay shut, and by which vertex facets opened");
+  cut->add_flag(
+      "--explain", options->explain,
+      "Say why facets stay shut, what would open them, and by which vertex facets opened");
+  cut->add_option("--fix-it", options->fix_it,
+                  "Write the further facets that would open all that stay shut, for --facets")
+      ->option_text("FILE");
+  auto* level = add_choice<std::optional<topology::Level>>(
+                    *cut, "--require", options->require,
+                    {{"pseudo-manifold", topology::Level::pseudo_manifold},
+                     {"cut-regular", topology::Level::cut_regular},
+                     {"edge-regular", topology::Level::edge_regular},
+                     {"manifold", topology::Level::manifold}},
+                    "Refuse a result below this level: pseudo-manifold, cut-regular, edge-regular "
+                    "or manifold")
+                    ->option_text("LEVEL");
+  add_choice<bool>(*cut, "--require-by", options->require_by_cutting,
+                   {{"refusing", false}, {"cutting", true}},
+                   "Refuse (refusing, default), or cut further facets to reach the level (cutting)")
+      ->needs(level)
+      ->option_text("HOW");
   auto* cohesive =
       cut->add_flag("--cohesive", options->cohesive,
-                    "Put cohesive elements of no thickness between the two sides of what opens");
+                "Put cohesive elements of no thickness between the two sides of what opens");
   cut->add_option("--offset", options->offset,
                   "Move the two sides apart by this distance, to look at the cut")
       ->check(CLI::NonNegativeNumber)
@@ -139,7 +162,9 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
       "Examples:\n"
       "  cleave cut fault.msh -o open.msh --group fault\n"
       "  cleave cut liver.mesh -o cut.vtu --sweep blade.json --json report.json\n"
-      "  cleave cut liver.mesh --facets seam.json --dry-run --explain");
+      "  cleave cut open.msh -o more.msh --group branch       (cut before: goes on from its "
+      "record)\n"
+      "  cleave cut liver.mesh --facets seam.json --dry-run --explain --fix-it more.json");
   const auto* ties = cut->get_option("--ties");
   cut->callback([options, out, dry_run, ties, &chosen] {
     if (out->count() == 0 && dry_run->count() == 0)
@@ -148,9 +173,17 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
     if (!std::isfinite(o.offset))
       throw CLI::ValidationError("--offset", "the distance must be finite");
     require_sense(o, ties->count() > 0);
-    refuse_report_onto(o.json, {o.mesh, o.out, o.facets, o.sweep, groups_path(o.mesh).string(),
-                                groups_path(o.out).string(), record_path(o.mesh).string(),
-                                record_path(o.out).string()});
+    std::vector<std::string> files{o.mesh,
+                                   o.out,
+                                   o.facets,
+                                   o.sweep,
+                                   groups_path(o.mesh).string(),
+                                   groups_path(o.out).string(),
+                                   record_path(o.mesh).string(),
+                                   record_path(o.out).string()};
+    refuse_report_onto(o.json, files);
+    files.push_back(o.json);
+    refuse_report_onto(o.fix_it, files, "--fix-it");
     chosen = [options] { return run_cut(*options); };
   });
 }

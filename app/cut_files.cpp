@@ -18,6 +18,11 @@ bool is_special(const std::filesystem::path& path) {
   return std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
 }
 
+void add_reports(OutputFiles& files, const CutAnswer& answer) {
+  if (!answer.json_file.empty()) files.add(answer.json_file).write(answer.json);
+  if (!answer.fix_it_file.empty()) files.add(answer.fix_it_file).write(answer.fix_it);
+}
+
 }  // namespace
 
 CutAnswer answer(const std::string& json_option, std::string json, std::string text, bool quiet) {
@@ -27,7 +32,7 @@ CutAnswer answer(const std::string& json_option, std::string json, std::string t
 
 void write_answer(const CutAnswer& answer) {
   OutputFiles files;
-  if (!answer.json_file.empty()) files.add(answer.json_file).write(answer.json);
+  add_reports(files, answer);
   print(answer.text);
   files.commit();
 }
@@ -50,7 +55,7 @@ void write_cut(const std::string& out, const Mesh& mesh, IncisionRecord* record,
     files.add(record_path(out)).write(*text);
   else if (!is_special(out))
     files.remove(record_path(out));
-  if (!answer.json_file.empty()) files.add(answer.json_file).write(answer.json);
+  add_reports(files, answer);
   print(answer.text);
   files.commit();
 }

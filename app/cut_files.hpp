@@ -5,10 +5,11 @@
 
 namespace cleave::app {
 
-/// What a command says of a cut: `json` to the file of that name, if it has one, and `text` to
-/// standard output.
+/// What a command says of a cut: `json` and `fix_it` to files of these names, if they have any, and
+/// `text` to standard output.
 struct CutAnswer {
   std::string json_file, json, text;
+  std::string fix_it_file = {}, fix_it = {};
 };
 
 /// An answer: with --json - it is the JSON that goes to standard output, else, unless `quiet`, the

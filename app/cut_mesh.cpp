@@ -6,6 +6,8 @@
 #include <set>
 
 #include "cleave/cutting/stroke.hpp"
+#include "cleave/topology/check.hpp"
+#include "cleave/topology/fix_it.hpp"
 #include "cohesive.hpp"
 #include "cut_request.hpp"
 #include "cut_state.hpp"
@@ -136,6 +138,35 @@ class Cutting {
   CutResult& result_;
 };
 
+// Cuts what else must be cut for the level that is asked for.
+template <int D>
+void cut_to_reach(const CutSource& source, const CutOptions& options, CutState<D>& state,
+                  FacetSet& attempted, CutResult& result) {
+  if (!options.require || !options.require_by_cutting) return;
+  attempted =
+      topology::facets_to_reach(state.incision.complex(), state.incision.shut(), *options.require);
+  state.incision.cut(attempted, options.verify);
+  state.others = state.others | attempted;
+  for (const HalfFacetId h : attempted.half_facets())
+    result.report.added.push_back(facet_vertices(source.mesh, h));
+}
+
+// Refuses a result below the level that is asked for, with every witness in the numbers of OUT.
+template <int D>
+void require_level(const CutOptions& options, const CutState<D>& state, const Mesh& out) {
+  if (!options.require) return;
+  auto soup = soup_of<D>(out);
+  for (std::uint32_t c = 0; c < soup.cells.size(); ++c)
+    soup.signs.push_back(static_cast<std::int8_t>(state.body.complex.sign({c})));
+  const auto violations = topology::check(soup, *options.require);
+  if (topology::level_reached(D, violations) >= *options.require) return;
+  std::string text = options.mesh + ": after this cut the mesh is below the level of --require:";
+  for (const auto& violation : violations) text += "\n  " + describe_in_file(violation, out);
+  throw InputError(text +
+                   "\nnothing is written (copies would have these numbers); --require-by cutting "
+                   "cuts further facets until the level is reached");
+}
+
 void warn_of_output(const CutSource& source, const CutOutput& output, CutResult& result) {
   for (const std::string& warning : output.warnings)
     result.warnings.push_back(source.mesh.source + ": " + warning);
@@ -165,10 +196,12 @@ CutResult cut_cells(const CutSource& source, const CutOptions& options, Progress
   try {
     progress.stage("cutting");
     Cutting<D>(source, options, state, result).run(attempted);
+    cut_to_reach(source, options, state, attempted, result);
     progress.stage("naming what opened");
     const std::string& target = options.out.empty() ? options.mesh : options.out;
     output = output_of(state, numbering_of(target));
     if (options.verify == topology::Verify::all) certify(state, output.mesh);
+    require_level(options, state, output.mesh);
     if (!options.dry_run) result.record = record_of(state, output, target);
   } catch (const topology::InvariantBroken& e) {
     const auto path = (options.out.empty() ? "cleave" : options.out) + ".reproducer.json";
@@ -178,7 +211,8 @@ CutResult cut_cells(const CutSource& source, const CutOptions& options, Progress
   }
   warn_of_output(source, output, result);
   progress.stage("looking at the result");
-  fill_report(state, source.mesh, output, options.explain, result.report);
+  fill_report(state, source.mesh, output, Wanted{options.explain, !options.fix_it.empty()},
+              result.report);
   result.mesh = std::move(output.mesh);
   return result;
 }

@@ -5,6 +5,7 @@
 
 #include "cleave/cutting/select.hpp"
 #include "cleave/topology/unglue.hpp"
+#include "cleave/topology/violation.hpp"
 #include "cut_report.hpp"
 #include "cut_source.hpp"
 #include "progress.hpp"
@@ -23,8 +24,10 @@ struct CutOptions {
   bool cohesive = false;
   double offset = 0;
   bool dry_run = false, explain = false, require_open = false, strict = false, quiet = false;
-  bool forget = false;  // the record beside the mesh
-  std::string json;
+  bool forget = false;                     // the record beside the mesh
+  std::optional<topology::Level> require;  // of the result
+  bool require_by_cutting = false;         // further facets; else refuse
+  std::string json, fix_it;
 };
 
 /// What a cut made: the mesh for OUT, its record without the hashes, and the report.

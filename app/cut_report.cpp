@@ -6,6 +6,7 @@
 
 #include "cleave/topology/check.hpp"
 #include "cleave/topology/explain.hpp"
+#include "cleave/topology/fix_it.hpp"
 #include "cleave/topology/pieces.hpp"
 #include "file_words.hpp"
 
@@ -51,11 +52,20 @@ std::size_t copied_nodes(const CutOutput& output) {
   return origins.size() - static_cast<std::size_t>(distinct);
 }
 
+CutReport::Fix fix_of(const topology::FacetSet& further, bool exact, const Mesh& shown) {
+  CutReport::Fix fix{{}, exact};
+  for (const auto h : further.half_facets()) fix.facets.push_back(facet_vertices(shown, h));
+  return fix;
+}
+
 template <int D>
-CutReport::Shut shut_facet(const CutState<D>& state, const Shown<D>& shown,
-                           topology::HalfFacetId h) {
-  CutReport::Shut shut{facet_vertices(shown.mesh(), h), {}};
+CutReport::Shut shut_facet(const CutState<D>& state, const Shown<D>& shown, topology::HalfFacetId h,
+                           bool with_fix) {
+  CutReport::Shut shut{facet_vertices(shown.mesh(), h), {}, std::nullopt};
   const auto& incision = state.incision;
+  if (with_fix)
+    shut.fix = fix_of(topology::separating_facets(incision.complex(), incision.shut(), h), true,
+                      shown.mesh());
   for (const auto& because : topology::explain(incision.complex(), incision.shut(), h)) {
     auto& reason = shut.because.emplace_back();
     reason.vertex = shown.vertex(h, incision.original(because.vertex));
@@ -68,8 +78,8 @@ CutReport::Shut shut_facet(const CutState<D>& state, const Shown<D>& shown,
 }  // namespace
 
 template <int D>
-void fill_report(const CutState<D>& state, const Mesh& mesh, const CutOutput& output,
-                 bool with_opened, CutReport& report) {
+void fill_report(const CutState<D>& state, const Mesh& mesh, const CutOutput& output, Wanted wanted,
+                 CutReport& report) {
   const Shown<D> shown(state.body, mesh);
   const auto& after = state.incision.complex();
   const auto opened = state.incision.opened();
@@ -88,9 +98,13 @@ void fill_report(const CutState<D>& state, const Mesh& mesh, const CutOutput& ou
   list_copies(state, shown, output, report);
   report.vertices_before = report.vertices_after - report.regularized.size() - report.splits.size();
 
-  for (const auto h : state.incision.shut().half_facets())
-    report.shut_facets.push_back(shut_facet(state, shown, h));
-  if (with_opened) {
+  const auto shut = state.incision.shut().half_facets();
+  for (const auto h : shut)
+    report.shut_facets.push_back(shut_facet(state, shown, h, wanted.opened));
+  if (wanted.fix)
+    report.fix = fix_of(topology::separating_facets(after, state.incision.shut(), shut),
+                        shut.size() <= 1, mesh);
+  if (wanted.opened) {
     report.opened_facets.emplace();
     for (const auto& facet : opened)
       report.opened_facets->push_back(
@@ -102,6 +116,18 @@ void fill_report(const CutState<D>& state, const Mesh& mesh, const CutOutput& ou
     for (const auto h : sheet.loop) one_sided.loop.push_back(facet_vertices(mesh, h));
   }
 }
+
+namespace {
+
+// "(1 2 3), (2 3 4)"
+std::string facets_listed(const std::vector<std::vector<std::uint64_t>>& facets) {
+  std::string text;
+  for (const auto& facet : facets)
+    text += fmt::format("{}({})", text.empty() ? "" : ", ", listed(facet));
+  return text;
+}
+
+}  // namespace
 
 std::string text_of(const CutReport& report, const std::string& source, bool explain) {
   std::string text = fmt::format(
@@ -119,6 +145,12 @@ std::string text_of(const CutReport& report, const std::string& source, bool exp
                         report.edge_nodes_after),
       report.cells,
       report.cohesive == 0 ? "" : fmt::format("; cohesive elements {}", report.cohesive));
+  if (!report.added.empty())
+    text += fmt::format("{}: cut besides, to reach the level: {}\n", source,
+                        facets_listed(report.added));
+  if (report.fix)
+    text += fmt::format("{}: {} more would open what is shut\n", source,
+                        counted(report.fix->facets.size(), "facet"));
   if (report.shut > 0 && !explain)
     text += fmt::format("{}: --explain says why facets stay shut\n", source);
   if (!explain) return text;
@@ -128,6 +160,7 @@ std::string text_of(const CutReport& report, const std::string& source, bool exp
     for (const auto& because : shut.because)
       text += fmt::format("  around vertex {} the sides are joined through cells {}\n",
                           because.vertex, listed(because.through));
+    if (shut.fix) text += "  would open with: " + facets_listed(shut.fix->facets) + "\n";
   }
   if (report.opened_facets)
     for (const auto& opened : *report.opened_facets)
@@ -136,8 +169,8 @@ std::string text_of(const CutReport& report, const std::string& source, bool exp
   return text;
 }
 
-template void fill_report<1>(const CutState<1>&, const Mesh&, const CutOutput&, bool, CutReport&);
-template void fill_report<2>(const CutState<2>&, const Mesh&, const CutOutput&, bool, CutReport&);
-template void fill_report<3>(const CutState<3>&, const Mesh&, const CutOutput&, bool, CutReport&);
+template void fill_report<1>(const CutState<1>&, const Mesh&, const CutOutput&, Wanted, CutReport&);
+template void fill_report<2>(const CutState<2>&, const Mesh&, const CutOutput&, Wanted, CutReport&);
+template void fill_report<3>(const CutState<3>&, const Mesh&, const CutOutput&, Wanted, CutReport&);
 
 }  // namespace cleave::app

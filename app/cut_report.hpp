@@ -18,9 +18,14 @@ struct CutReport {
     std::uint64_t vertex;
     std::vector<std::uint64_t> through;  // cells
   };
+  struct Fix {
+    std::vector<std::vector<std::uint64_t>> facets;  // to be cut as well, so that it opens
+    bool exact;                                      // no smaller set would do
+  };
   struct Shut {
     std::vector<std::uint64_t> facet;  // vertices, ascending
     std::vector<Because> because;      // per vertex of the facet
+    std::optional<Fix> fix;            // if asked for
   };
   struct Opened {
     std::vector<std::uint64_t> facet;
@@ -47,17 +52,29 @@ struct CutReport {
   std::vector<Shut> shut_facets;
   std::optional<std::vector<Opened>> opened_facets;  // if asked for
   std::vector<OneSided> one_sided;
+  std::optional<Fix> fix;                         // for all shut facets together, if asked for
+  std::vector<std::vector<std::uint64_t>> added;  // cut besides, to reach a level
+};
+
+/// What is left out of a report unless it is asked for.
+struct Wanted {
+  bool opened = false;  // opened_facets, and the fix of each shut facet
+  bool fix = false;     // for all of them together
 };
 
 /// Fills `report` in for `state`, whose output is `output`; facets and parents have the numbers of
-/// `shown`, the mesh that MESH holds. Leaves not_interior, kept and earlier alone; opened_facets
-/// only if `with_opened`. Time: linear in the mesh.
+/// `shown`, the mesh that MESH holds. Leaves not_interior, kept, earlier and added alone;
+/// opened_facets and what would open the shut ones only if they are asked for. Time: linear in the
+/// mesh; for the fixes, in the stars of the shut facets.
 template <int D>
 void fill_report(const CutState<D>& state, const Mesh& shown, const CutOutput& output,
-                 bool with_opened, CutReport& report);
+                 Wanted wanted, CutReport& report);
 
 /// A few lines; with `explain` one more for each shut or opened facet.
 std::string text_of(const CutReport& report, const std::string& source, bool explain);
+
+/// A facets file with the facets of report.fix: docs/schemas/facets.schema.json
+std::string fix_it_file(const CutReport& report);
 
 /// docs/schemas/cleave-cut-1.schema.json
 std::string json_of(const CutReport& report);

@@ -14,14 +14,22 @@ Json json_of(const std::vector<CutReport::Copy>& copies) {
   return list;
 }
 
+Json json_of(const CutReport::Fix& fix) { return {{"facets", fix.facets}, {"exact", fix.exact}}; }
+
 Json json_of(const CutReport::Shut& shut) {
   Json because = Json::array();
   for (const auto& reason : shut.because)
     because.push_back({{"vertex", reason.vertex}, {"through", reason.through}});
-  return {{"facet", shut.facet}, {"because", because}};
+  Json json{{"facet", shut.facet}, {"because", because}};
+  if (shut.fix) json["fix"] = json_of(*shut.fix);
+  return json;
 }
 
 }  // namespace
+
+std::string fix_it_file(const CutReport& report) {
+  return Json{{"facets", report.fix->facets}}.dump() + "\n";
+}
 
 std::string json_of(const CutReport& report) {
   Json json{{"schema", "cleave-cut/1"},
@@ -34,7 +42,8 @@ std::string json_of(const CutReport& report) {
               {"opened", report.opened},
               {"shut", report.shut},
               {"not_interior", report.not_interior},
-              {"kept", report.kept}}},
+              {"kept", report.kept},
+              {"added", report.added.size()}}},
             {"pieces", {{"before", report.pieces_before}, {"after", report.pieces_after}}},
             {"cut_regular", report.cut_regular},
             {"pinched_edges", report.pinched_edges},
@@ -42,6 +51,8 @@ std::string json_of(const CutReport& report) {
             {"splits", json_of(report.splits)},
             {"shut_facets", Json::array()},
             {"one_sided", Json::array()}};
+  if (!report.added.empty()) json["added_facets"] = report.added;
+  if (report.fix) json["fix"] = json_of(*report.fix);
   if (report.earlier)
     json["earlier"] = {{"opened", report.earlier->opened}, {"shut", report.earlier->shut}};
   for (const auto& shut : report.shut_facets) json["shut_facets"].push_back(json_of(shut));

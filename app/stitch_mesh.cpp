@@ -103,9 +103,7 @@ StitchResult stitch_cells(const CutSource& source, const StitchOptions& options,
   report.closed = (taken - was_shut).size();
 
   progress.stage("stitching");
-  const FacetSet left = state.incision.scored() - taken;
-  state.incision = topology::Incision<D>(state.body.complex);
-  state.incision.cut(left, options.verify);
+  state.incision.stitch(taken, options.verify);
   state.others = state.others - taken;
   report.pieces_after = topology::pieces(state.incision.complex()).count;
   for (const HalfFacetId h : (state.incision.shut() - was_shut).half_facets())
@@ -118,7 +116,7 @@ StitchResult stitch_cells(const CutSource& source, const StitchOptions& options,
   if (report.opened + report.shut == 0) {
     result.mesh = source.original();
   } else {
-    CutOutput output = cut_output(state.body, state.incision, state.asked(), numbering_of(target));
+    CutOutput output = output_of(state, numbering_of(target));
     result.record = record_of(state, output, target);
     for (const std::string& warning : output.warnings)
       result.warnings.push_back(options.mesh + ": " + warning);
