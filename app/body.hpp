@@ -64,6 +64,13 @@ template <int D>
 std::vector<topology::HalfFacetId> locate(const Mesh& mesh, std::span<const std::uint32_t> facets,
                                           const std::string& asked_by);
 
+template <int D>
+std::vector<topology::HalfFacetId> locate(const Body<D>& body,
+                                          std::span<const std::uint32_t> facets,
+                                          const std::string& asked_by) {
+  return locate<D>(*body.mesh, facets, asked_by);
+}
+
 /// Of facets given by any of their half-facets, those that can be cut and the others.
 struct SortedOut {
   topology::FacetSet interior;

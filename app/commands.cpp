@@ -60,7 +60,7 @@ int guarded(const Action& action) {
 
 void warn(const std::string& text) { print_on_stderr("cleave: warning: " + text); }
 
-void note(const std::string& text) { complain("cleave: " + text); }
+void note(const std::string& text) { print_on_stderr("cleave: " + text); }
 
 void refuse_report_onto(const std::string& report, const std::vector<std::string>& files,
                         const std::string& option) {

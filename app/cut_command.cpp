@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 
 #include "choice.hpp"
@@ -11,15 +12,8 @@
 namespace cleave::app {
 namespace {
 
-// Refuses before anything is done what OUT cannot be.
-void require_format(const CutOptions& options) {
-  if (output_format_of(options.out) == MeshFormat::kMedit && options.cohesive)
-    throw InputError("'" + options.out +
-                     "': Medit files hold no cohesive elements; write .msh, .vtu, .vtk or .inp");
-}
-
 int run_cut(const CutOptions& options) {
-  if (!options.out.empty()) require_format(options);
+  if (!options.out.empty()) require_format(options.out, options.cohesive);
   Progress progress(6, options.quiet);
   progress.stage("reading " + options.mesh);
   const CutSource source = read_source(options.mesh, options.forget);
@@ -28,12 +22,10 @@ int run_cut(const CutOptions& options) {
   if (source.record && !options.quiet) note(note_on(source));
   CutResult result = cut_mesh(source, options, progress);
   progress.clear();
-  for (const std::string& note : mesh.dropped) warn(note);
   for (const std::string& warning : result.warnings) warn(warning);
 
-  const CutAnswer said =
-      answer(options.json, json_of(result.report),
-             text_of(result.report, options.mesh, options.explain), options.quiet);
+  CutAnswer said = answer(options.json, json_of(result.report),
+                          text_of(result.report, options.mesh, options.explain), options.quiet);
   if (!options.fix_it.empty()) {
     said.fix_it_file = options.fix_it;
     said.fix_it = fix_it_file(result.report);
@@ -55,7 +47,7 @@ void add_request(CLI::App& cut, CutOptions& options) {
               "--facets", options.facets,
               "Facets by vertex numbers: JSON {\"facets\": [[a, b, c], ..]}; - is standard "
               "input")
-          ->option_text("FILE");
+          ->option_text("FILE..");
   auto* groups = what->add_option("--group", options.groups, "Facet groups of MESH, by name")
                      ->option_text("NAME..");
   auto* sweep =
@@ -90,8 +82,9 @@ void add_request(CLI::App& cut, CutOptions& options) {
 // What the options cannot say of each other by themselves.
 void require_sense(const CutOptions& options, bool with_ties) {
   if (options.fix_it == "-") throw CLI::ValidationError("--fix-it", "give the name of a file");
-  if (options.facets == "-" && options.sweep == "-")
-    throw CLI::ValidationError("--sweep", "standard input is taken by --facets already");
+  const auto from_stdin = std::count(options.facets.begin(), options.facets.end(), "-");
+  if (from_stdin + (options.sweep == "-" ? 1 : 0) > 1)
+    throw CLI::ValidationError("-", "standard input can be one request only");
   if (with_ties && options.select.rule != cutting::Rule::nearest_vertex)
     throw CLI::ValidationError(
         "--ties", "it has a meaning for --select nearest-vertex only; dual-edge knows no ties");
@@ -133,7 +126,7 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
       ->option_text("HOW");
   auto* cohesive =
       cut->add_flag("--cohesive", options->cohesive,
-                "Put cohesive elements of no thickness between the two sides of what opens");
+                    "Put cohesive elements of no thickness between the two sides of what opens");
   cut->add_option("--offset", options->offset,
                   "Move the two sides apart by this distance, to look at the cut")
       ->check(CLI::NonNegativeNumber)
@@ -175,12 +168,12 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
     require_sense(o, ties->count() > 0);
     std::vector<std::string> files{o.mesh,
                                    o.out,
-                                   o.facets,
                                    o.sweep,
                                    groups_path(o.mesh).string(),
                                    groups_path(o.out).string(),
                                    record_path(o.mesh).string(),
                                    record_path(o.out).string()};
+    files.insert(files.end(), o.facets.begin(), o.facets.end());
     refuse_report_onto(o.json, files);
     files.push_back(o.json);
     refuse_report_onto(o.fix_it, files, "--fix-it");

@@ -25,6 +25,12 @@ void add_reports(OutputFiles& files, const CutAnswer& answer) {
 
 }  // namespace
 
+void require_format(const std::string& out, bool cohesive) {
+  if (output_format_of(out) == MeshFormat::kMedit && cohesive)
+    throw InputError("'" + out +
+                     "': Medit files hold no cohesive elements; write .msh, .vtu, .vtk or .inp");
+}
+
 CutAnswer answer(const std::string& json_option, std::string json, std::string text, bool quiet) {
   if (json_option == "-") return {"", "", std::move(json)};
   return {json_option, std::move(json), quiet ? "" : std::move(text)};

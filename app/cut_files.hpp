@@ -5,6 +5,10 @@
 
 namespace cleave::app {
 
+/// Throws InputError for a name without a format, or whose format cannot hold what is to be
+/// written: cohesive elements.
+void require_format(const std::string& out, bool cohesive);
+
 /// What a command says of a cut: `json` and `fix_it` to files of these names, if they have any, and
 /// `text` to standard output.
 struct CutAnswer {
@@ -20,10 +24,10 @@ CutAnswer answer(const std::string& json_option, std::string json, std::string t
 void write_answer(const CutAnswer& answer);
 
 /// Writes the mesh of a cut and its record, into which the hashes are filled, and the answer: all
-/// of them, or none if one cannot be written. They appear in this order, so that a record beside
-/// another mesh than its own, should the machine stop in between, is one whose hash does not fit.
-/// No record is written if there is none, if OUT is no regular file, or if a group has a name that
-/// is not UTF-8, which is warned about: then one that lies there is removed. Throws OutputError.
+/// of them, or none if one cannot be written. Should the machine stop in between, a record beside
+/// another mesh than its own is noticed by the hash. No record is written if there is none, if OUT
+/// is no regular file, or if a group has a name that is not UTF-8, which is warned about: then one
+/// that lies there is removed. Throws OutputError.
 void write_cut(const std::string& out, const Mesh& mesh, IncisionRecord* record,
                const CutAnswer& answer);
 

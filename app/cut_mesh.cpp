@@ -9,6 +9,7 @@
 #include "cleave/topology/check.hpp"
 #include "cleave/topology/fix_it.hpp"
 #include "cohesive.hpp"
+#include "cut_files.hpp"
 #include "cut_request.hpp"
 #include "cut_state.hpp"
 #include "error.hpp"
@@ -96,7 +97,7 @@ class Cutting {
       state_.name(name);
       append(facets, state_.groups.at(name));
     }
-    if (!options_.facets.empty()) others = facets_in<D>(source_, options_.facets);
+    for (const std::string& file : options_.facets) append(others, facets_in<D>(source_, file));
     if (options_.all) append(others, FacetSet::all(state_.body.complex).half_facets());
     append(facets, others);
     if (facets.empty() && options_.sweep.empty()) warn(options_.mesh + ": no facet was asked for");
@@ -190,7 +191,14 @@ CutResult cut_cells(const CutSource& source, const CutOptions& options, Progress
         CutReport::Earlier{source.record->opened.size(), source.record->shut.size()};
   state.cohesive = state.cohesive || options.cohesive;
   if (options.offset > 0) state.offset = options.offset;
-  if (state.cohesive) require_cohesive(source.original());
+  if (state.cohesive && state.offset > 0)
+    throw InputError(options.mesh +
+                     ": its record has cohesive elements between the sides, which --offset would "
+                     "give a thickness; cut the original again, or leave it out");
+  if (state.cohesive) {
+    require_cohesive(source.original());
+    if (!options.out.empty()) require_format(options.out, true);
+  }
   FacetSet attempted;
   CutOutput output;
   try {

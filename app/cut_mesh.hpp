@@ -16,8 +16,8 @@ namespace cleave::app {
 /// together; the sweep comes last.
 struct CutOptions {
   std::string mesh, out;  // out may be empty for a dry run
-  std::string facets, sweep;
-  std::vector<std::string> groups, keep;
+  std::string sweep;
+  std::vector<std::string> facets, groups, keep;  // files; names
   bool all = false;
   cutting::SelectOptions select;
   topology::Verify verify = topology::Verify::touched;

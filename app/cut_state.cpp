@@ -123,7 +123,8 @@ IncisionRecord record_of(const CutState<D>& state, const CutOutput& output,
   IncisionRecord record;
   record.dimension = D;
   record.cells = state.body.complex.cell_count();
-  record.original = describe_original(*state.body.mesh, output.mesh, output.origin, held_by(path));
+  record.original =
+      describe_original(*state.body.mesh, output.mesh, output.origin, held_by(path, output.mesh));
   for (const auto& facet : state.incision.opened())
     record.opened.emplace_back(facet.half_facet.value, facet.former_mate.value);
   for (const HalfFacetId h : state.incision.shut().half_facets())

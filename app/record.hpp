@@ -76,12 +76,12 @@ struct OriginalRecord {
   bool msh_binary = false;
 };
 
-/// What a format gives back of the numbers and elements that are written in it.
+/// What the format of `path` gives back of the numbers and elements of `out` when it is read.
 struct Held {
   bool numbers = false;            // of vertices and elements, if they are distinct
   std::array<bool, 4> elements{};  // by dimension: every element, in order
 };
-Held held_by(const std::filesystem::path& path);
+Held held_by(const std::filesystem::path& path, const Mesh& out);
 
 /// What `out`, a file in which `held` is held, does not say of `original`. `origin` has for each
 /// point of `out` its place in `original`; the first point from a place is the one that stays.

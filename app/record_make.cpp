@@ -119,17 +119,30 @@ std::vector<OriginalRecord::Field> describe_fields(const std::vector<Field>& fie
   return records;
 }
 
+// Whether the vertex elements of `out` are what Medit has: marks of the vertices themselves, so one
+// in a group for each vertex that has any, in their order.
+bool are_marks(const Mesh& out) {
+  const Elements& elements = out.elements[0];
+  std::vector<bool> grouped(elements.size());
+  for (const Group& group : out.groups)
+    if (group.dimension == 0)
+      for (const std::uint32_t e : group.elements) grouped[e] = true;
+  for (std::size_t e = 0; e < elements.size(); ++e)
+    if (!grouped[e] || (e > 0 && elements.vertices[e] <= elements.vertices[e - 1])) return false;
+  return true;
+}
+
 }  // namespace
 
-Held held_by(const std::filesystem::path& path) {
+Held held_by(const std::filesystem::path& path, const Mesh& out) {
   const MeshFormat format = format_of(path);
   Held held;
   held.numbers = numbering_of(path) == Numbering::kept;
   const bool vtk = format == MeshFormat::kVtu || format == MeshFormat::kVtk;
   if (vtk || format == MeshFormat::kGmsh) held.elements = {true, true, true, true};
-  const bool marks_vertices = format == MeshFormat::kMedit || format == MeshFormat::kTetgen ||
-                              format == MeshFormat::kAbaqus;
-  if (marks_vertices) held.elements = {false, true, true, true};
+  if (format == MeshFormat::kMedit) held.elements = {are_marks(out), true, true, true};
+  if (format == MeshFormat::kTetgen || format == MeshFormat::kAbaqus)
+    held.elements = {false, true, true, true};
   return held;
 }
 

@@ -55,13 +55,12 @@ std::vector<std::uint32_t> places_of(const FacetList& list, const StrokeSpec& sp
 std::vector<topology::HalfFacetId> named_facets(const StrokeSpec& spec, const std::string& source,
                                                 const Body<3>& body) {
   if (const auto* list = std::get_if<FacetList>(&spec.path))
-    return locate<3>(*body.mesh, places_of(*list, spec, source, *body.mesh),
-                     source + ": at " + spec.at + "/facets");
+    return locate(body, places_of(*list, spec, source, *body.mesh),
+                  source + ": at " + spec.at + "/facets");
   std::vector<topology::HalfFacetId> facets;
   for (const std::string& name : std::get<GroupNames>(spec.path).names) {
     const Group& group = named_group(*body.mesh, name, 2, source, spec.at + "/group");
-    const auto found =
-        locate<3>(*body.mesh, vertices_of(*body.mesh, group), "group \"" + name + "\"");
+    const auto found = locate(body, vertices_of(*body.mesh, group), "group \"" + name + "\"");
     facets.insert(facets.end(), found.begin(), found.end());
   }
   return facets;

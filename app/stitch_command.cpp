@@ -11,7 +11,7 @@ namespace cleave::app {
 namespace {
 
 int run_stitch(const StitchOptions& options) {
-  if (!options.out.empty()) format_of(options.out);  // refused before anything is done
+  if (!options.out.empty()) require_format(options.out, false);  // refused before anything is done
   Progress progress(5, options.quiet);
   progress.stage("reading " + options.mesh);
   const CutSource source = read_source(options.mesh, false);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cleave/topology/pieces.hpp"
+#include "cut_files.hpp"
 #include "cut_state.hpp"
 #include "error.hpp"
 #include "file_words.hpp"
@@ -93,9 +94,11 @@ StitchResult stitch_cells(const CutSource& source, const StitchOptions& options,
                           Progress& progress) {
   StitchResult result;
   StitchReport& report = result.report;
+  const std::string& target = options.out.empty() ? options.mesh : options.out;
   progress.stage("looking at the cells");
   CutState<D> state(source.original());
   resume(state, source);
+  if (!options.out.empty()) require_format(target, state.cohesive);
   report.pieces_before = topology::pieces(state.incision.complex()).count;
   const FacetSet taken = taken_back(source, options, state, result);
   const FacetSet was_shut = state.incision.shut();
@@ -112,7 +115,6 @@ StitchResult stitch_cells(const CutSource& source, const StitchOptions& options,
   report.shut = state.incision.shut().size();
 
   progress.stage("naming what is open");
-  const std::string& target = options.out.empty() ? options.mesh : options.out;
   if (report.opened + report.shut == 0) {
     result.mesh = source.original();
   } else {

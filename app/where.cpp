@@ -141,7 +141,7 @@ std::vector<HalfFacetId> boundary_facets_in(const Where& where, const Body<3>& b
   std::vector<HalfFacetId> facets;
   if (const Group* group = group_of_dimension(where, 2, *body.mesh, source)) {
     const auto places = vertices_of(*body.mesh, *group);
-    for (const HalfFacetId h : locate<3>(*body.mesh, places, "group \"" + group->name + "\""))
+    for (const HalfFacetId h : locate(body, places, "group \"" + group->name + "\""))
       if (!k.is_interior(h)) facets.push_back(h);
     std::sort(facets.begin(), facets.end());
     facets.erase(std::unique(facets.begin(), facets.end()), facets.end());

@@ -128,6 +128,33 @@ TEST_F(Schema, HoldsForCutReports) {
   expect_invalid("cleave-cut-1", report.dump());
 }
 
+TEST_F(Schema, HoldsForIncisionRecordsAndStitchReports) {
+  write("f.json", R"({"facets": [[1, 2, 5]]})");
+  write("m.mesh",
+        medit({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {1, 1, 1}, {9, 9, 9}}, {{1, 2, 6, 3}},
+              {{1, 2, 3, 5, 0}, {1, 4, 2, 5, 0}, {2, 4, 3, 5, 0}, {1, 3, 4, 5, 0}}));
+  cleave({"cut", "m.mesh", "-o", "shut.vtu", "--facets", "f.json", "--explain", "--fix-it",
+          "more.json", "--json", "shut.json"});
+  expect_valid("cleave-cut-1", "shut.json");
+  expect_valid("facets", "more.json");
+  expect_valid("cleave-incision-1", "shut.vtu.cleave.json");
+  cleave({"cut", data("fault.msh"), "-o", "a.msh", "--group", "fault"});
+  cleave({"cut", "a.msh", "-o", "b.mesh", "--group", "branch", "--keep", "fault", "--json",
+          "on.json"});
+  expect_valid("cleave-cut-1", "on.json");
+  expect_valid("cleave-incision-1", "a.msh.cleave.json");
+  expect_valid("cleave-incision-1", "b.mesh.cleave.json");
+  cleave({"stitch", "b.mesh", "--dry-run", "--group", "fault", "--json", "stitch.json"});
+  expect_valid("cleave-stitch-1", "stitch.json");
+
+  json record = json::parse(read("a.msh.cleave.json"));
+  record["opened"][0][0] = -1;
+  expect_invalid("cleave-incision-1", record.dump());
+  json stitch = json::parse(read("stitch.json"));
+  stitch["merges"][0].erase("into");
+  expect_invalid("cleave-stitch-1", stitch.dump());
+}
+
 TEST_F(Schema, AllowsWhatTheCommandReadsAndNothingElse) {
   write("m.mesh", two_tetrahedra());
   const auto status = [&](const std::string& option, const std::string& text) {

@@ -34,7 +34,7 @@ void cut_everything(const Folder& folder, const app::Mesh& mesh, const std::stri
   options.out = folder.path("cut" + extension).string();
   app::Progress progress(1, true);
   try {
-    const app::CutResult result = app::cut_mesh(mesh, options, progress);
+    const app::CutResult result = app::cut_mesh({mesh, {}, {}}, options, progress);
     require_places(result.mesh);
     app::write_mesh(options.out, result.mesh);
     require_places(app::read_mesh(options.out));

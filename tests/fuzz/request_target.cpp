@@ -35,7 +35,7 @@ void cut(const app::Mesh& mesh, app::CutOptions options) {
   options.verify = topology::Verify::all;
   app::Progress progress(1, true);
   try {
-    require_places(app::cut_mesh(mesh, options, progress).mesh);
+    require_places(app::cut_mesh({mesh, {}, {}}, options, progress).mesh);
   } catch (const app::InputError&) {
   }
 }
@@ -49,7 +49,7 @@ void fuzz_request(Bytes bytes) {
   const std::string path = folder.put("request.json", text_of(bytes)).string();
   for (const app::Mesh* mesh : {&cube, &strip}) {
     app::CutOptions facets;
-    facets.facets = path;
+    facets.facets = {path};
     cut(*mesh, facets);
     app::CutOptions sweep;
     sweep.sweep = path;

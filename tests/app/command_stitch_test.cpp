@@ -1,0 +1,411 @@
+// Cutting in stages and taking back: what a cut writes is a function of the mesh that was cut first
+// and of what has been asked for, whichever way there (T8, T12).
+#include <nlohmann/json.hpp>
+
+#include "command_support.hpp"
+#include "mesh_file.hpp"
+
+namespace cleave::app::test {
+namespace {
+
+using nlohmann::json;
+
+class Stages : public CommandTest {
+ protected:
+  using Args = std::vector<std::string>;
+
+  void done(const Args& args) const {
+    const Outcome outcome = cleave(args);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  }
+
+  void refused(const Args& args, const std::string& word) const {
+    const auto before = files();
+    const Outcome outcome = cleave(args);
+    EXPECT_EQ(outcome.status, 3) << outcome.out << outcome.err;
+    EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
+    EXPECT_EQ(files(), before);
+  }
+
+  // The file in the form in which we write its format.
+  void normalise(const std::string& from, const std::string& to) const {
+    write_mesh(folder_ / to, read_mesh(from));
+  }
+
+  void expect_same(const std::string& a, const std::string& b) const {
+    EXPECT_TRUE(read(a) == read(b)) << a << " and " << b << " differ";
+    EXPECT_TRUE(read(a + ".cleave.json") == read(b + ".cleave.json"))
+        << "the records of " << a << " and " << b << " differ";
+  }
+
+  bool there(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+
+  // Cuts a, then b; a and b at once; takes b back, then a: all ways give the same bytes.
+  void expect_all_ways_meet(const std::string& mesh, const std::string& extension, const Args& a,
+                            const Args& b) const {
+    const auto named = [&](const std::string& name) { return name + extension; };
+    const auto with = [](Args args, const Args& more) {
+      args.insert(args.end(), more.begin(), more.end());
+      return args;
+    };
+    done(with({"cut", mesh, "-o", named("a")}, a));
+    done(with({"cut", named("a"), "-o", named("ab"), "--verify", "all"}, b));
+    done(with({"cut", mesh, "-o", named("b")}, b));
+    done(with({"cut", named("b"), "-o", named("ba")}, a));
+    done(with(with({"cut", mesh, "-o", named("once")}, b), a));
+    expect_same(named("ab"), named("once"));
+    expect_same(named("ba"), named("once"));
+    done(with({"stitch", named("once"), "-o", named("a2"), "--verify", "all"}, b));
+    expect_same(named("a2"), named("a"));
+    done(with({"stitch", named("ab"), "-o", named("ab")}, a));  // in place
+    expect_same(named("ab"), named("b"));
+    done({"stitch", named("ba"), "-o", named("back"), "--all"});
+    normalise(mesh[0] == '/' ? mesh : (folder_ / mesh).string(), named("original"));
+    EXPECT_TRUE(read(named("back")) == read(named("original")));
+    EXPECT_FALSE(there(named("back") + ".cleave.json"));
+    done(with({"stitch", named("a"), "-o", named("a")}, a));
+    EXPECT_TRUE(read(named("a")) == read(named("original")));
+    EXPECT_FALSE(there(named("a") + ".cleave.json"));
+  }
+};
+
+TEST_F(Stages, OfAGmshFileGiveTheSameBytesWhicheverWay) {
+  expect_all_ways_meet(data("fault.msh"), ".msh", {"--group", "fault"}, {"--group", "branch"});
+}
+
+TEST_F(Stages, OfAMeditFileGiveTheSameBytesWhicheverWay) {
+  normalise(data("fault.msh"), "fault.mesh");
+  expect_all_ways_meet("fault.mesh", ".mesh", {"--group", "fault"}, {"--group", "branch"});
+}
+
+TEST_F(Stages, OfAVtuFileGiveTheSameBytesWhicheverWay) {
+  normalise(data("fault.msh"), "fault.vtu");
+  expect_all_ways_meet("fault.vtu", ".vtu", {"--group", "fault"}, {"--group", "branch"});
+}
+
+// A disk of triangles, its spokes in groups; vertex 1 is in no cell, and a second disk touches the
+// first one in a vertex, which is regularised.
+std::string disks() {
+  return R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+3
+1 1 "east"
+1 2 "north"
+2 3 "plate"
+$EndPhysicalNames
+$Nodes
+9
+1 9 9 0
+20 0 0 0
+3 1 0 0
+4 0 1 0
+5 -1 0 0
+6 0 -1 0
+7 2 1 0
+8 2 -1 0
+9 7 7 0
+$EndNodes
+$Elements
+9
+1 1 2 1 1 20 3
+2 1 2 2 1 4 20
+3 1 2 4 1 1 20
+4 2 2 3 1 20 3 4
+5 2 2 3 1 20 4 5
+6 2 2 3 1 20 5 6
+7 2 2 3 1 20 6 3
+8 2 2 3 1 3 8 7
+9 15 2 4 1 3
+$EndElements
+)";
+}
+
+TEST_F(Stages, RememberShutFacetsOrphansAndWhatWasRegularised) {
+  write("disks.msh", disks());
+  // One spoke alone is shut; the second opens both.
+  const Outcome first =
+      cleave({"cut", "disks.msh", "-o", "a.msh", "--group", "east", "--json", "-"});
+  ASSERT_EQ(first.status, 0) << first.err;
+  const json one = json::parse(first.out);
+  EXPECT_EQ(one["facets"]["opened"], 1);  // from the rim, whose vertex 3 was regularised
+  expect_all_ways_meet("disks.msh", ".msh", {"--group", "east"}, {"--group", "north"});
+  EXPECT_EQ(read("back.msh"), read("original.msh"));
+  EXPECT_EQ(read_mesh(folder_ / "back.msh").points.size(), 9u);  // the orphans are there again
+}
+
+// A tetrahedron divided by a vertex inside it.
+std::string star() {
+  return medit({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {1, 1, 1}},
+               {{1, 2, 5, 7}, {2, 4, 5, 8}, {1, 4, 5, 9}},
+               {{1, 2, 3, 5, 0}, {1, 4, 2, 5, 0}, {2, 4, 3, 5, 0}, {1, 3, 4, 5, 0}});
+}
+
+TEST_F(Stages, OpenWhatWasShutBefore) {
+  write("star.mesh", star());
+  const Outcome first = cleave({"cut", "star.mesh", "-o", "a.mesh", "--group", "7", "--json", "-"});
+  ASSERT_EQ(first.status, 0) << first.err;
+  EXPECT_EQ(json::parse(first.out)["facets"]["shut"], 1);
+  done({"cut", "a.mesh", "-o", "b.mesh", "--group", "8"});
+  const Outcome last = cleave({"cut", "b.mesh", "-o", "c.mesh", "--group", "9", "--json", "-"});
+  ASSERT_EQ(last.status, 0) << last.err;
+  const json report = json::parse(last.out);
+  EXPECT_EQ(report["facets"]["opened"], 3);  // one cell comes off
+  EXPECT_EQ(report["facets"]["requested"], 3);
+  EXPECT_EQ(report["earlier"]["opened"].get<int>() + report["earlier"]["shut"].get<int>(), 2);
+  EXPECT_EQ(report["pieces"], json::parse(R"({"before": 1, "after": 2})"));
+  EXPECT_NE(last.err.find("going on from b.mesh.cleave.json"), std::string::npos) << last.err;
+  done({"cut", "star.mesh", "-o", "once.mesh", "--group", "9", "7", "8", "7"});
+  expect_same("c.mesh", "once.mesh");
+
+  const Outcome back =
+      cleave({"stitch", "c.mesh", "-o", "d.mesh", "--group", "9_minus", "--json", "-"});
+  ASSERT_EQ(back.status, 0) << back.err;
+  const json stitched = json::parse(back.out);
+  EXPECT_EQ(stitched["facets"]["requested"], 1);
+  EXPECT_EQ(stitched["facets"]["closed"], 1);
+  EXPECT_EQ(stitched["facets"]["opened"].get<int>() + stitched["facets"]["shut"].get<int>(), 2);
+  EXPECT_EQ(stitched["mesh"]["vertices_before"].get<std::size_t>() - stitched["merges"].size(),
+            stitched["mesh"]["vertices_after"].get<std::size_t>());
+  expect_same("d.mesh", "b.mesh");
+}
+
+TEST_F(Stages, TakeFacetsBackByNumberFromEitherSide) {
+  write("star.mesh", star());
+  done({"cut", "star.mesh", "-o", "all.mesh", "--all"});
+  const Mesh all = read_mesh(folder_ / "all.mesh");
+  ASSERT_EQ(all.points.size(), 16u);
+  const Outcome opened =
+      cleave({"cut", "all.mesh", "--dry-run", "--explain", "--all", "--json", "-"});
+  ASSERT_EQ(opened.status, 0) << opened.err;
+  const json facets = json::parse(opened.out)["opened_facets"];
+  ASSERT_EQ(facets.size(), 6u);
+  write("three.json",
+        json{{"facets", {facets[0]["facet"], facets[2]["facet"], facets[3]["facet"]}}}.dump());
+  done({"stitch", "all.mesh", "-o", "less.mesh", "--facets", "three.json", "--verify", "all"});
+  const json record = json::parse(read("less.mesh.cleave.json"));
+  EXPECT_EQ(record["opened"].size() + record["shut"].size(), 3u);
+
+  // The same facets by the numbers of the mesh before, cut from the start.
+  json others{{"facets", json::array()}};
+  const Mesh star_mesh = read_mesh(folder_ / "star.mesh");
+  for (const char* list : {"opened", "shut"})
+    for (const json& sides : record[list]) {
+      const auto h = sides[0].get<std::size_t>();
+      json facet = json::array();
+      for (std::size_t i = 0; i < 4; ++i)
+        if (i != h % 4) facet.push_back(star_mesh.cells().vertices[4 * (h / 4) + i] + 1);
+      others["facets"].push_back(facet);
+    }
+  write("others.json", others.dump());
+  done({"cut", "star.mesh", "-o", "direct.mesh", "--facets", "others.json"});
+  expect_same("less.mesh", "direct.mesh");
+
+  write("never.json", R"({"facets": [[1, 2, 3]]})");
+  const Outcome never = cleave({"stitch", "less.mesh", "-o", "x.mesh", "--facets", "never.json"});
+  EXPECT_EQ(never.status, 0);
+  EXPECT_NE(never.err.find("never cut"), std::string::npos) << never.err;
+  EXPECT_EQ(read("x.mesh"), read("less.mesh"));
+}
+
+TEST_F(Stages, OfEdgesAndThroughOtherFormats) {
+  write("line.mesh",
+        "MeshVersionFormatted 2\nDimension 2\nVertices\n5\n0 0 0\n1 0 0\n2 0 4\n3 0 0\n8 8 0\n"
+        "Edges\n3\n1 2 7\n2 3 7\n3 4 7\nEnd\n");
+  normalise((folder_ / "line.mesh").string(), "normal.mesh");
+  write("f.json", R"({"facets": [[2]]})");
+  write("g.json", R"({"facets": [[3]]})");
+  expect_all_ways_meet("line.mesh", ".mesh", {"--facets", "f.json"}, {"--group", "4"});
+  done({"cut", "line.mesh", "-o", "a.msh", "--facets", "f.json"});
+  done({"stitch", "a.msh", "-o", "line2.mesh", "--all"});
+  EXPECT_EQ(read("line2.mesh"), read("normal.mesh"));
+
+  done({"cut", data("fault.msh"), "-o", "a.vtu", "--group", "fault"});
+  done({"cut", "a.vtu", "-o", "ab.msh", "--group", "branch"});
+  done({"cut", data("fault.msh"), "-o", "once.msh", "--group", "fault", "branch"});
+  EXPECT_EQ(read("ab.msh"), read("once.msh"));
+}
+
+TEST_F(Stages, KeepNamedFacetsOut) {
+  write("star.mesh", star());
+  const Outcome cut =
+      cleave({"cut", "star.mesh", "-o", "a.mesh", "--all", "--keep", "7", "9", "--json", "-"});
+  ASSERT_EQ(cut.status, 0) << cut.err;
+  const json report = json::parse(cut.out);
+  EXPECT_EQ(report["facets"]["kept"], 2);
+  EXPECT_EQ(report["facets"]["requested"], 4);
+  const Mesh out = read_mesh(folder_ / "a.mesh");
+  for (const Group& group : out.groups) {
+    if (group.name == "7" || group.name == "9") {
+      EXPECT_EQ(group.elements.size(), 1u) << group.name;
+    }
+  }
+  refused({"cut", "star.mesh", "-o", "b.mesh", "--all", "--keep", "10"}, "\"10\"");
+}
+
+TEST_F(Stages, LeaveSweptFacetsAloneThatAreToBeKept) {
+  write("half.json", R"({"blade": [[[-1, 1.5, -1], [-1, 1.5, 5]], [[9, 1.5, -1], [9, 1.5, 5]]]})");
+  const auto report = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> args{"cut",       data("fault.msh"), "--dry-run", "--sweep",
+                                  "half.json", "--json",          "-"};
+    args.insert(args.end(), more.begin(), more.end());
+    const Outcome outcome = cleave(args);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return json::parse(outcome.out);
+  };
+  const json all = report({}), kept = report({"--keep", "fault"});
+  ASSERT_GT(kept["facets"]["kept"], 0);
+  EXPECT_EQ(kept["facets"]["kept"].get<int>() + kept["facets"]["requested"].get<int>(),
+            all["facets"]["requested"].get<int>());
+}
+
+TEST_F(Stages, RefuseARecordThatDoesNotBelong) {
+  write("star.mesh", star());
+  done({"cut", "star.mesh", "-o", "a.mesh", "--group", "7", "8"});
+  const std::string mesh = read("a.mesh"), record = read("a.mesh.cleave.json");
+  const auto both = [&](const std::string& word) {
+    refused({"cut", "a.mesh", "-o", "b.mesh", "--group", "9"}, word);
+    refused({"stitch", "a.mesh", "-o", "b.mesh", "--all"}, word);
+  };
+  write("a.mesh", mesh + "\n");
+  both("SHA-256");
+  done({"cut", "a.mesh", "-o", "b.mesh", "--group", "9", "--forget"});
+  std::filesystem::remove(folder_ / "b.mesh");
+  std::filesystem::remove(folder_ / "b.mesh.groups.json");
+  std::filesystem::remove(folder_ / "b.mesh.cleave.json");
+  write("a.mesh", mesh);
+  for (const std::size_t length : {std::size_t{0}, std::size_t{1}, record.size() / 2}) {
+    write("a.mesh.cleave.json", record.substr(0, length));
+    both("a.mesh.cleave.json");
+  }
+  std::filesystem::remove(folder_ / "a.mesh.cleave.json");
+  refused({"stitch", "a.mesh", "-o", "b.mesh", "--all"}, "no a.mesh.cleave.json beside it");
+}
+
+// Every number of a record is replaced by others, every entry of a list or object left out: such a
+// record is refused, or does what a record may do; it never breaks anything.
+TEST_F(Stages, SurviveEveryDamageToARecord) {
+  write("star.mesh", star());
+  done({"cut", "star.mesh", "-o", "a.mesh", "--group", "7", "8", "9"});
+  const json record = json::parse(read("a.mesh.cleave.json"));
+  std::vector<json> damaged;
+  const json flat = record.flatten();
+  for (const auto& item : flat.items()) {
+    const json::json_pointer place(item.key());
+    if (item.key().rfind("/sha256", 0) == 0) continue;
+    json changed = record;
+    if (record[place].is_number()) {
+      for (const json& other : {json(record[place].get<double>() + 1), json(4294967294u),
+                                json(18446744073709551615u), json(-1), json(0.5), json("7")}) {
+        changed[place] = other;
+        damaged.push_back(changed);
+      }
+    } else {
+      changed[place] = 7;
+      damaged.push_back(changed);
+    }
+    changed = record;
+    if (changed[place.parent_pointer()].is_array())
+      changed[place.parent_pointer()].erase(std::stoul(place.back()));
+    else
+      changed[place.parent_pointer()].erase(place.back());
+    damaged.push_back(changed);
+  }
+  ASSERT_GT(damaged.size(), 200u);
+  std::size_t refusals = 0;
+  for (std::size_t i = 0; i < damaged.size(); i += 3) {  // every kind is met
+    write("a.mesh.cleave.json", damaged[i].dump());
+    const Outcome outcome = cleave({"stitch", "a.mesh", "--dry-run", "--all"});
+    ASSERT_TRUE(outcome.status == 0 || outcome.status == 3)
+        << outcome.status << ' ' << outcome.err << '\n'
+        << damaged[i].dump();
+    if (outcome.status == 3) ++refusals;
+  }
+  EXPECT_GT(3 * refusals, damaged.size() / 3);
+}
+
+TEST_F(Stages, OfferFacetsThatOpenWhatIsShut) {
+  write("star.mesh", star());
+  const Outcome asked = cleave({"cut", "star.mesh", "--group", "7", "--dry-run", "--explain",
+                                "--fix-it", "more.json", "--json", "r.json"});
+  ASSERT_EQ(asked.status, 0) << asked.err;
+  EXPECT_NE(asked.out.find("would open with: ("), std::string::npos) << asked.out;
+  const json report = json::parse(read("r.json"));
+  ASSERT_EQ(report["shut_facets"].size(), 1u);
+  EXPECT_EQ(report["shut_facets"][0]["fix"]["exact"], true);
+  const json fix = report["shut_facets"][0]["fix"]["facets"];
+  EXPECT_EQ(fix.size(), 1u);  // around a vertex on the rim the star has three cells
+  EXPECT_EQ(json::parse(read("more.json"))["facets"], fix);
+  const Outcome opened = cleave({"cut", "star.mesh", "-o", "a.mesh", "--group", "7", "--facets",
+                                 "more.json", "--require-open"});
+  EXPECT_EQ(opened.status, 0) << opened.out << opened.err;
+}
+
+TEST_F(Stages, RequireALevel) {
+  // Two cells that share an edge only, joined by others around a third vertex of it.
+  write("annulus.mesh", suspended_annulus());
+  write("none.json", R"({"facets": []})");
+  refused({"cut", "annulus.mesh", "-o", "a.mesh", "--facets", "none.json", "--require", "manifold"},
+          "link");
+  done(
+      {"cut", "annulus.mesh", "-o", "a.mesh", "--facets", "none.json", "--require", "cut-regular"});
+  const Outcome cut = cleave({"cut", "annulus.mesh", "-o", "b.mesh", "--facets", "none.json",
+                              "--require", "manifold", "--require-by", "cutting", "--json", "-"});
+  ASSERT_EQ(cut.status, 0) << cut.err;
+  const json report = json::parse(cut.out);
+  EXPECT_GT(report["facets"]["added"], 0);
+  EXPECT_EQ(report["facets"]["added"], report["added_facets"].size());
+  EXPECT_EQ(cleave({"check", "b.mesh", "--require", "manifold"}).status, 0);
+}
+
+TEST_F(Stages, TakeRequestsFromStandardInputAndRefuseOddOnes) {
+  write("star.mesh", star());
+  const auto piped = [&](const std::string& rest) {
+    return run({"sh", "-c",
+                "echo '{\"facets\": [[1, 2, 5], [2, 4, 5]]}' | " + std::string(CLEAVE_COMMAND) +
+                    " cut star.mesh " + rest});
+  };
+  EXPECT_EQ(piped("-o a.mesh --facets -").status, 0);
+  write("f.json", R"({"facets": [[1, 2, 5], [2, 4, 5]]})");
+  done({"cut", "star.mesh", "-o", "b.mesh", "--facets", "f.json"});
+  expect_same("a.mesh", "b.mesh");
+  EXPECT_EQ(piped("-o c.mesh --facets - --sweep -").status, 2);
+  EXPECT_EQ(
+      cleave({"cut", "star.mesh", "-o", "c.mesh", "--sweep", "f.json", "--ties", "both"}).status,
+      2);
+  EXPECT_EQ(cleave({"stitch", "a.mesh", "-o", "c.mesh"}).status, 2);
+  const Outcome none =
+      run({"sh", "-c",
+           std::string(CLEAVE_COMMAND) + " cut star.mesh -o c.mesh --facets - < /dev/null"});
+  EXPECT_EQ(none.status, 3);
+  EXPECT_NE(none.err.find("standard input"), std::string::npos) << none.err;
+}
+
+TEST_F(Stages, WriteNothingIfTheReportCannotBePrinted) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  write("star.mesh", star());
+  const auto before = files();
+  for (const std::string& rest : {std::string("--json -"), std::string()}) {
+    const Outcome full = run(
+        {"sh", "-c",
+         std::string(CLEAVE_COMMAND) + " cut star.mesh -o a.mesh --all " + rest + " > /dev/full"});
+    EXPECT_EQ(full.status, 3) << full.err;
+    EXPECT_NE(full.err.find("standard output"), std::string::npos) << full.err;
+    EXPECT_EQ(files(), before);
+  }
+}
+
+TEST_F(Stages, KeepMovedPointsInTheRecord) {
+  done({"cut", data("fault.msh"), "-o", "a.msh", "--group", "fault", "--offset", "0.01"});
+  done({"cut", "a.msh", "-o", "ab.msh", "--group", "branch"});
+  done({"cut", data("fault.msh"), "-o", "once.msh", "--group", "fault", "branch", "--offset",
+        "0.01"});
+  expect_same("ab.msh", "once.msh");
+  done({"stitch", "ab.msh", "-o", "back.msh", "--all"});
+  normalise(data("fault.msh"), "original.msh");
+  EXPECT_TRUE(read("back.msh") == read("original.msh"));
+}
+
+}  // namespace
+}  // namespace cleave::app::test
