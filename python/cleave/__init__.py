@@ -22,4 +22,4 @@ __all__ = [
     "InvariantBroken", "NotInterior", "Relabelling", "certify", "check", "cut", "facets_of",
     "locate", "orient",
 ]
-__version__ = "0.1.0"
+__version__ = "0.2.0"

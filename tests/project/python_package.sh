@@ -12,6 +12,9 @@ cd "$folder"  # so that the package is the installed one
 "$python" -m pytest -q -p no:cacheprovider "$source/tests/python"
 "$python" "$source/python/examples/fault.py" | tee example.txt
 grep -q '^certified: True$' example.txt
+version=$("$python" -c 'import cleave; print(cleave.__version__)')
+grep -q "^project(cleave VERSION $version " "$source/CMakeLists.txt"
+grep -qx "version = \"$version\"" "$source/pyproject.toml"
 "$python" - <<'PYTHON'
 import inspect
 import pathlib
