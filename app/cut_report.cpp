@@ -12,7 +12,6 @@
 
 namespace cleave::app {
 
-using topology::Incision;
 using topology::VertexId;
 
 namespace {

@@ -41,7 +41,7 @@ std::string sheet_name(const CutState<D>& state, const std::string& name) {
   if (state.groups.count(name) != 0) return name;
   for (const std::string_view side : {"_minus", "_plus", "_shut"}) {
     if (name.size() <= side.size() || name.substr(name.size() - side.size()) != side) continue;
-    const std::string sheet = name.substr(0, name.size() - side.size());
+    std::string sheet = name.substr(0, name.size() - side.size());
     if (sheet == "cut" || state.groups.count(sheet) != 0) return sheet;
   }
   return name;

@@ -44,8 +44,8 @@ std::set<std::string> leaving_names(const CutState<D>& state, const StitchOption
 template <int D>
 FacetSet taken_back(const CutSource& source, const StitchOptions& options, const CutState<D>& state,
                     StitchResult& result) {
+  if (options.all) return state.incision.scored();
   const FacetSet scored = state.incision.scored();
-  if (options.all) return scored;
   FacetSet taken = state.only_in(leaving_names(state, options));
   if (options.facets.empty()) return taken;
   const auto named = facets_in<D>(source, options.facets);

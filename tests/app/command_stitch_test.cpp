@@ -2,7 +2,7 @@
 // and of what has been asked for, whichever way there (T8, T12).
 #include <nlohmann/json.hpp>
 
-#include "command_support.hpp"
+#include "command_cut_support.hpp"
 #include "mesh_file.hpp"
 
 namespace cleave::app::test {
@@ -10,23 +10,8 @@ namespace {
 
 using nlohmann::json;
 
-class Stages : public CommandTest {
+class Stages : public CutTest {
  protected:
-  using Args = std::vector<std::string>;
-
-  void done(const Args& args) const {
-    const Outcome outcome = cleave(args);
-    ASSERT_EQ(outcome.status, 0) << outcome.err;
-  }
-
-  void refused(const Args& args, const std::string& word) const {
-    const auto before = files();
-    const Outcome outcome = cleave(args);
-    EXPECT_EQ(outcome.status, 3) << outcome.out << outcome.err;
-    EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
-    EXPECT_EQ(files(), before);
-  }
-
   // The file in the form in which we write its format.
   void normalise(const std::string& from, const std::string& to) const {
     write_mesh(folder_ / to, read_mesh(from));
@@ -42,17 +27,17 @@ class Stages : public CommandTest {
 
   // Cuts a, then b; a and b at once; takes b back, then a: all ways give the same bytes.
   void expect_all_ways_meet(const std::string& mesh, const std::string& extension, const Args& a,
-                            const Args& b) const {
+                            const Args& b, const Args& how = {}) const {
     const auto named = [&](const std::string& name) { return name + extension; };
     const auto with = [](Args args, const Args& more) {
       args.insert(args.end(), more.begin(), more.end());
       return args;
     };
-    done(with({"cut", mesh, "-o", named("a")}, a));
+    done(with(with({"cut", mesh, "-o", named("a")}, a), how));
     done(with({"cut", named("a"), "-o", named("ab"), "--verify", "all"}, b));
-    done(with({"cut", mesh, "-o", named("b")}, b));
+    done(with(with({"cut", mesh, "-o", named("b")}, b), how));
     done(with({"cut", named("b"), "-o", named("ba")}, a));
-    done(with(with({"cut", mesh, "-o", named("once")}, b), a));
+    done(with(with(with({"cut", mesh, "-o", named("once")}, b), a), how));
     expect_same(named("ab"), named("once"));
     expect_same(named("ba"), named("once"));
     done(with({"stitch", named("once"), "-o", named("a2"), "--verify", "all"}, b));
@@ -81,6 +66,13 @@ TEST_F(Stages, OfAMeditFileGiveTheSameBytesWhicheverWay) {
 TEST_F(Stages, OfAVtuFileGiveTheSameBytesWhicheverWay) {
   normalise(data("fault.msh"), "fault.vtu");
   expect_all_ways_meet("fault.vtu", ".vtu", {"--group", "fault"}, {"--group", "branch"});
+}
+
+TEST_F(Stages, OfAnyFormatGiveTheSameBytesWhicheverWay) {
+  for (const std::string extension : {".vtk", ".inp", ".ele"}) {
+    SCOPED_TRACE(extension);
+    expect_all_ways_meet(data("fault.msh"), extension, {"--group", "fault"}, {"--group", "branch"});
+  }
 }
 
 // A disk of triangles, its spokes in groups; vertex 1 is in no cell, and a second disk touches the
@@ -133,13 +125,6 @@ TEST_F(Stages, RememberShutFacetsOrphansAndWhatWasRegularised) {
   expect_all_ways_meet("disks.msh", ".msh", {"--group", "east"}, {"--group", "north"});
   EXPECT_EQ(read("back.msh"), read("original.msh"));
   EXPECT_EQ(read_mesh(folder_ / "back.msh").points.size(), 9u);  // the orphans are there again
-}
-
-// A tetrahedron divided by a vertex inside it.
-std::string star() {
-  return medit({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {1, 1, 1}},
-               {{1, 2, 5, 7}, {2, 4, 5, 8}, {1, 4, 5, 9}},
-               {{1, 2, 3, 5, 0}, {1, 4, 2, 5, 0}, {2, 4, 3, 5, 0}, {1, 3, 4, 5, 0}});
 }
 
 TEST_F(Stages, OpenWhatWasShutBefore) {
@@ -227,39 +212,6 @@ TEST_F(Stages, OfEdgesAndThroughOtherFormats) {
   EXPECT_EQ(read("ab.msh"), read("once.msh"));
 }
 
-TEST_F(Stages, KeepNamedFacetsOut) {
-  write("star.mesh", star());
-  const Outcome cut =
-      cleave({"cut", "star.mesh", "-o", "a.mesh", "--all", "--keep", "7", "9", "--json", "-"});
-  ASSERT_EQ(cut.status, 0) << cut.err;
-  const json report = json::parse(cut.out);
-  EXPECT_EQ(report["facets"]["kept"], 2);
-  EXPECT_EQ(report["facets"]["requested"], 4);
-  const Mesh out = read_mesh(folder_ / "a.mesh");
-  for (const Group& group : out.groups) {
-    if (group.name == "7" || group.name == "9") {
-      EXPECT_EQ(group.elements.size(), 1u) << group.name;
-    }
-  }
-  refused({"cut", "star.mesh", "-o", "b.mesh", "--all", "--keep", "10"}, "\"10\"");
-}
-
-TEST_F(Stages, LeaveSweptFacetsAloneThatAreToBeKept) {
-  write("half.json", R"({"blade": [[[-1, 1.5, -1], [-1, 1.5, 5]], [[9, 1.5, -1], [9, 1.5, 5]]]})");
-  const auto report = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> args{"cut",       data("fault.msh"), "--dry-run", "--sweep",
-                                  "half.json", "--json",          "-"};
-    args.insert(args.end(), more.begin(), more.end());
-    const Outcome outcome = cleave(args);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return json::parse(outcome.out);
-  };
-  const json all = report({}), kept = report({"--keep", "fault"});
-  ASSERT_GT(kept["facets"]["kept"], 0);
-  EXPECT_EQ(kept["facets"]["kept"].get<int>() + kept["facets"]["requested"].get<int>(),
-            all["facets"]["requested"].get<int>());
-}
-
 TEST_F(Stages, RefuseARecordThatDoesNotBelong) {
   write("star.mesh", star());
   done({"cut", "star.mesh", "-o", "a.mesh", "--group", "7", "8"});
@@ -325,75 +277,9 @@ TEST_F(Stages, SurviveEveryDamageToARecord) {
   EXPECT_GT(3 * refusals, damaged.size() / 3);
 }
 
-TEST_F(Stages, OfferFacetsThatOpenWhatIsShut) {
-  write("star.mesh", star());
-  const Outcome asked = cleave({"cut", "star.mesh", "--group", "7", "--dry-run", "--explain",
-                                "--fix-it", "more.json", "--json", "r.json"});
-  ASSERT_EQ(asked.status, 0) << asked.err;
-  EXPECT_NE(asked.out.find("would open with: ("), std::string::npos) << asked.out;
-  const json report = json::parse(read("r.json"));
-  ASSERT_EQ(report["shut_facets"].size(), 1u);
-  EXPECT_EQ(report["shut_facets"][0]["fix"]["exact"], true);
-  const json fix = report["shut_facets"][0]["fix"]["facets"];
-  EXPECT_EQ(fix.size(), 1u);  // around a vertex on the rim the star has three cells
-  EXPECT_EQ(json::parse(read("more.json"))["facets"], fix);
-  const Outcome opened = cleave({"cut", "star.mesh", "-o", "a.mesh", "--group", "7", "--facets",
-                                 "more.json", "--require-open"});
-  EXPECT_EQ(opened.status, 0) << opened.out << opened.err;
-}
-
-TEST_F(Stages, RequireALevel) {
-  // Two cells that share an edge only, joined by others around a third vertex of it.
-  write("annulus.mesh", suspended_annulus());
-  write("none.json", R"({"facets": []})");
-  refused({"cut", "annulus.mesh", "-o", "a.mesh", "--facets", "none.json", "--require", "manifold"},
-          "link");
-  done(
-      {"cut", "annulus.mesh", "-o", "a.mesh", "--facets", "none.json", "--require", "cut-regular"});
-  const Outcome cut = cleave({"cut", "annulus.mesh", "-o", "b.mesh", "--facets", "none.json",
-                              "--require", "manifold", "--require-by", "cutting", "--json", "-"});
-  ASSERT_EQ(cut.status, 0) << cut.err;
-  const json report = json::parse(cut.out);
-  EXPECT_GT(report["facets"]["added"], 0);
-  EXPECT_EQ(report["facets"]["added"], report["added_facets"].size());
-  EXPECT_EQ(cleave({"check", "b.mesh", "--require", "manifold"}).status, 0);
-}
-
-TEST_F(Stages, TakeRequestsFromStandardInputAndRefuseOddOnes) {
-  write("star.mesh", star());
-  const auto piped = [&](const std::string& rest) {
-    return run({"sh", "-c",
-                "echo '{\"facets\": [[1, 2, 5], [2, 4, 5]]}' | " + std::string(CLEAVE_COMMAND) +
-                    " cut star.mesh " + rest});
-  };
-  EXPECT_EQ(piped("-o a.mesh --facets -").status, 0);
-  write("f.json", R"({"facets": [[1, 2, 5], [2, 4, 5]]})");
-  done({"cut", "star.mesh", "-o", "b.mesh", "--facets", "f.json"});
-  expect_same("a.mesh", "b.mesh");
-  EXPECT_EQ(piped("-o c.mesh --facets - --sweep -").status, 2);
-  EXPECT_EQ(
-      cleave({"cut", "star.mesh", "-o", "c.mesh", "--sweep", "f.json", "--ties", "both"}).status,
-      2);
-  EXPECT_EQ(cleave({"stitch", "a.mesh", "-o", "c.mesh"}).status, 2);
-  const Outcome none =
-      run({"sh", "-c",
-           std::string(CLEAVE_COMMAND) + " cut star.mesh -o c.mesh --facets - < /dev/null"});
-  EXPECT_EQ(none.status, 3);
-  EXPECT_NE(none.err.find("standard input"), std::string::npos) << none.err;
-}
-
-TEST_F(Stages, WriteNothingIfTheReportCannotBePrinted) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
-  write("star.mesh", star());
-  const auto before = files();
-  for (const std::string& rest : {std::string("--json -"), std::string()}) {
-    const Outcome full = run(
-        {"sh", "-c",
-         std::string(CLEAVE_COMMAND) + " cut star.mesh -o a.mesh --all " + rest + " > /dev/full"});
-    EXPECT_EQ(full.status, 3) << full.err;
-    EXPECT_NE(full.err.find("standard output"), std::string::npos) << full.err;
-    EXPECT_EQ(files(), before);
-  }
+TEST_F(Stages, MakeCohesiveElementsAnewForAllThatIsOpen) {
+  expect_all_ways_meet(data("fault.msh"), ".msh", {"--group", "fault"}, {"--group", "branch"},
+                       {"--cohesive"});
 }
 
 TEST_F(Stages, KeepMovedPointsInTheRecord) {
