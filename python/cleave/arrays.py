@@ -11,30 +11,40 @@ from . import _core
 
 Ids = NDArray[np.uint32]
 
+_SPARSE = 16  # numbers of vertices for each corner of a cell: more are a mistake
+
 
 def as_ids(numbers: ArrayLike, what: str, ndim: int = 2) -> Ids:
     """`numbers` as uint32 in C order. Without copying if they are 32-bit integers in C order
-    already; a negative one is refused, here or as a vertex that does not exist."""
+    already."""
     array = np.asarray(numbers)
     if array.size == 0 and array.ndim < ndim:
         array = array.reshape((0,) * ndim)
     if array.ndim != ndim:
         raise ValueError(f"{what}: an array of {ndim} dimensions is needed, not of {array.ndim}")
-    if array.dtype == np.uint32 or array.dtype == np.int32:
-        return np.ascontiguousarray(array).view(np.uint32)
     if array.size == 0:
         return array.astype(np.uint32)
     if array.dtype.kind not in "iu":
         raise TypeError(f"{what}: integers are needed, not {array.dtype}")
-    if array.min() < 0 or array.max() >= 2**32 - 1:
-        raise ValueError(f"{what}: {array.min()} .. {array.max()} are no 32-bit numbers of vertices")
+    if array.min() < 0:
+        raise ValueError(f"{what}: {array.min()} is negative")
+    if array.max() >= 2**32 - 1:
+        raise ValueError(f"{what}: {array.max()} is more than 32-bit numbers hold")
+    if array.dtype == np.int32:
+        array = np.ascontiguousarray(array).view(np.uint32)
     return np.ascontiguousarray(array, dtype=np.uint32)
 
 
 def vertex_count_of(cells: Ids, vertex_count: Optional[int]) -> int:
-    """The number given, or one more than the largest vertex."""
+    """The number given, or one more than the largest vertex. Vertices that leave most numbers out
+    (tags of a file, say) are refused: time and memory go with the largest number."""
     if vertex_count is None:
-        return int(cells.max()) + 1 if cells.size else 0
+        count = int(cells.max()) + 1 if cells.size else 0
+        if count > _SPARSE * cells.size + _SPARSE:
+            raise ValueError(f"the largest vertex is {count - 1}, but the cells have only "
+                             f"{cells.size} corners: number the vertices densely, `_, rows = "
+                             "np.unique(cells, return_inverse=True)`, or give vertex_count")
+        return count
     if vertex_count < 0:
         raise ValueError("vertex_count is negative")
     return int(vertex_count)

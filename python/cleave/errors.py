@@ -8,7 +8,8 @@ from typing import Any, List, NamedTuple
 class Finding(NamedTuple):
     """A violation that `check` found, with its witness.
 
-    rule: its name, as `cleave check` and docs/checks have it, e.g. "duplicate-cell".
+    rule: its name, as `cleave check` and docs/checks have it, e.g. "duplicate-cell"; and
+    "vertex-out-of-range" for a number that is not below vertex_count, which no file can hold.
     level: the first level it keeps the mesh from; "none" for orphan vertices and orientation.
     message: one line of plain words.
     witness: numbers that let anyone re-check it: cells, vertices and half-facets, all from 0.

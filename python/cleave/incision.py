@@ -152,7 +152,8 @@ class Incision:
         return Relabelling(**self._core.cut(half_facets_of(self.cells, facets), verify))
 
     def stitch(self, facets: ArrayLike, *, verify: str = "touched") -> Relabelling:
-        """Takes `facets` back: they are scored no longer, and shut again. See `cut`."""
+        """Takes `facets` back: they are scored no longer. What opened is interior again; facets
+        that were never cut are left alone. facets, verify, errors: see `cut`."""
         return Relabelling(**self._core.stitch(half_facets_of(self.cells, facets), verify))
 
     def undo(self) -> Relabelling:
@@ -170,4 +171,6 @@ class Incision:
     def explain(self, half_facet: int) -> List[Because]:
         """Why an interior facet is shut: for each of its vertices a chain of cells around it. An
         empty chain: the vertex would separate the cells, if the facet were scored."""
+        if not 0 <= int(half_facet) < self.cells.size:
+            raise ValueError(f"there is no half-facet {half_facet}")
         return [Because(*because) for because in self._core.explain(int(half_facet))]

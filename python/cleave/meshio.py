@@ -53,8 +53,9 @@ def cut(mesh: meshio.Mesh, *, group: Optional[Sequence[str]] = None,
         facets: Optional[ArrayLike] = None, regularize: bool = True) -> CutMesh:
     """Separates the cells of `mesh` along facets; `mesh` is not changed.
 
-    group: names of facet groups; facets: (m, D) vertices, or half-facets; one of them. Points and
-    point data follow the vertices they copy, and there is new point data "parent". Elements of
+    group: names of facet groups; facets: (m, D) vertices, or half-facets; one of them. Facets on the
+    boundary are left alone. Points and point data follow the vertices they copy, sets of points
+    hold the copies too, and there is new point data "parent". Elements of
     lower dimension are there once for each copy, with their cell data and sets; new cell data
     "side" of facets is -1 and +1 on the two sides of an opened facet (by the order of cells; the
     command `cleave cut` chooses them along whole sheets), 0 elsewhere. regularize, errors: see
@@ -144,8 +145,11 @@ def _rebuild(mesh: meshio.Mesh, before: Ids, result: Cut) -> meshio.Mesh:
                    np.flatnonzero(np.isin(images[i].element, np.asarray(chosen, dtype=np.int64)))
                    for i, chosen in enumerate(blocks)]
             for name, blocks in mesh.cell_sets.items()}
+    point_sets = {name: np.flatnonzero(np.isin(result.parents, np.asarray(chosen, dtype=np.int64)))
+                  for name, chosen in mesh.point_sets.items()}
     return meshio.Mesh(np.asarray(mesh.points)[result.parents], cells, point_data=point_data,
-                       cell_data=cell_data, field_data=mesh.field_data, cell_sets=sets)
+                       cell_data=cell_data, field_data=mesh.field_data, point_sets=point_sets,
+                       cell_sets=sets)
 
 
 def _images(elements: NDArray, before: Ids, after: Ids, split: NDArray, opened: set) -> _Images:

@@ -75,9 +75,22 @@ def test_what_is_no_mesh_is_refused(cells, error):
         cleave.check(cells)
 
 
-def test_a_negative_32_bit_number_is_a_finding():
-    found = cleave.check(np.array([[0, 1, -1]], np.int32), 3)
+def test_a_vertex_that_does_not_exist_is_a_finding():
+    found = cleave.check(np.array([[0, 1, 7]], np.int32), 3)
     assert found.findings[0].rule == "vertex-out-of-range"
+
+
+@pytest.mark.parametrize("dtype", [np.int32, np.int64])
+def test_a_negative_number_is_named(dtype):
+    with pytest.raises(ValueError, match="cells: -1 is negative"):
+        cleave.check(np.array([[0, 1, -1]], dtype))
+
+
+def test_numbers_with_large_gaps_are_refused_before_memory_is_taken():
+    with pytest.raises(ValueError, match="number the vertices densely"):
+        cleave.check([[0, 1, 4_000_000_000]])
+    _, rows = np.unique([[7, 9, 4_000_000_000]], return_inverse=True)
+    assert cleave.check(rows.reshape(1, 3)).can_be_cut
 
 
 def test_an_unknown_level_is_refused():

@@ -128,6 +128,12 @@ def test_a_shut_facet_is_explained():
         assert chain.through[0] == 0 and chain.through[-1] == 1
 
 
+@pytest.mark.parametrize("half_facet", [-1, 2**40])
+def test_a_half_facet_that_is_none_has_no_explanation(half_facet):
+    with pytest.raises(ValueError, match="there is no half-facet"):
+        cleave.Incision([[0, 1, 2]]).explain(half_facet)
+
+
 def test_a_pinched_mesh_is_refused_or_regularized():
     cells = [[0, 1, 2], [2, 3, 4]]
     with pytest.raises(cleave.InvalidComplex) as refused:

@@ -47,6 +47,15 @@ def test_sets_follow(fault):
     assert sum(len(chosen) for chosen in opened.cell_sets["both"]) == count
 
 
+def test_sets_of_points_hold_the_copies_too():
+    points = np.array([[0, 0], [1, 0], [0, 1], [1, 1.0]])
+    mesh = meshio.Mesh(points, [("triangle", np.array([[0, 1, 2], [1, 3, 2]]))],
+                       point_sets={"left": np.array([0, 2])})
+    opened, cut = cleave.meshio.cut(mesh, facets=[[1, 2]])
+    assert cut.parents.tolist() == [0, 1, 2, 3, 1, 2]
+    assert opened.point_sets["left"].tolist() == [0, 2, 5]
+
+
 def test_the_result_can_be_written_and_read(fault, tmp_path):
     opened, _ = cleave.meshio.cut(fault, group="fault")
     meshio.write(tmp_path / "open.vtu", opened)
