@@ -28,11 +28,11 @@ inline constexpr std::array<MshKind, 9> kMshKinds = {{{15, 0, 1, 0, false},
                                                       {6, 3, 6, 0, true}}};
 
 constexpr const MshKind& msh_simplex(int dimension, bool second_order) {
-  return kMshKinds[static_cast<std::size_t>(dimension + (second_order ? 3 : 0))];
+  return kMshKinds[static_cast<std::size_t>(dimension) + (second_order ? 3U : 0U)];
 }
 
 constexpr const MshKind& msh_cohesive(int dimension) {
-  return kMshKinds[static_cast<std::size_t>(dimension + 5)];
+  return kMshKinds[static_cast<std::size_t>(dimension) + 5];
 }
 
 /// Where Elements::midside has the i-th node of second order in gmsh's order of the edges, which is
