@@ -29,9 +29,9 @@ assert "${{" not in steps["check"]["run"]
 open(work + "/check_step.sh", "w").write(steps["check"]["run"])
 assert "dev\" build" in steps["Build cleave"]["run"] and os.access(source + "/dev", os.X_OK)
 pattern = re.compile(hook["files"])
-for name in ("a.mesh", "x/b.MSH", "c.vtu", "d.vtk", "e.msh.gz"):
+for name in ("a.mesh", "x/b.MSH", "c.vtu", "d.vtk", "e.msh.gz", "f.inp", "g.inp.gz", "h.node", "h.ele"):
     assert pattern.search(name), name
-for name in ("a.mesh.groups.json", "b.cpp", "mesh"):
+for name in ("a.mesh.groups.json", "b.cpp", "mesh", "c.vtu.gz", "d.vtk.gz", "e.ele.gz"):
     assert not pattern.search(name), name
 assert hook["language"] == "system"
 open(work + "/hook_entry", "w").write(hook["entry"])
