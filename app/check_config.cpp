@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <variant>
 
 #include "check_rules.hpp"
 #include "files/input_text.hpp"
@@ -58,6 +60,22 @@ std::vector<std::string> patterns(const JsonValue& value) {
   return found;
 }
 
+// For each rule of the topology by its name the level that a finding of it keeps a mesh from.
+template <std::size_t... I>
+std::map<std::string, Level> levels_by_rule(std::index_sequence<I...>) {
+  std::map<std::string, Level> levels;
+  for (const topology::Violation& violation :
+       {topology::Violation(std::variant_alternative_t<I, topology::Violation>{})...})
+    levels.emplace(topology::rule(violation), topology::breaks(violation));
+  return levels;
+}
+
+void forget_severities_up_to(Level required, CheckSettings& settings) {
+  constexpr std::size_t kKinds = std::variant_size_v<topology::Violation>;
+  for (const auto& [rule, level] : levels_by_rule(std::make_index_sequence<kKinds>{}))
+    if (level != Level::none && level <= required) settings.severity.erase(rule);
+}
+
 bool any_names(const std::vector<std::string>& patterns, const std::filesystem::path& file,
                const std::filesystem::path& folder) {
   return std::any_of(patterns.begin(), patterns.end(),
@@ -84,6 +102,7 @@ CheckSettings CheckConfig::settings_for(const std::filesystem::path& file,
   settings.apply_to(settings_of_file);
   for (const Override& one : overrides)
     if (any_names(one.files, file, folder)) one.settings.apply_to(settings_of_file);
+  if (command_line.required) forget_severities_up_to(*command_line.required, settings_of_file);
   command_line.apply_to(settings_of_file);
   return settings_of_file;
 }

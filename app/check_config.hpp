@@ -24,7 +24,8 @@ struct CheckConfig {
   bool excludes(const std::filesystem::path& file) const;
 
   /// The usual settings, changed by the configuration, by the overrides that match `file`, and by
-  /// `command_line`, in this order.
+  /// `command_line`, in this order. A level that `command_line` requires takes back what the
+  /// configuration says of the severity of rules that keep a mesh from it.
   CheckSettings settings_for(const std::filesystem::path& file,
                              const SettingsChange& command_line) const;
 };
