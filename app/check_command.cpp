@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 
 #include "check_config.hpp"
 #include "check_report.hpp"
@@ -23,7 +24,7 @@ struct CheckOptions {
   topology::Level required = topology::Level::cut_regular;
   CountHoles betti = CountHoles::automatic;
   SettingsChange settings;  // of these, what the command line names
-  std::size_t max_findings = 0;
+  std::optional<std::size_t> max_findings;
   std::string json, sarif, junit;
 };
 
@@ -82,7 +83,7 @@ int check_meshes(const CheckOptions& options) {
   });
   refuse_reports_onto_meshes(options, paths.files);
   const std::size_t at_most =
-      options.max_findings > 0 ? options.max_findings : config.max_findings.value_or(kShownPerRule);
+      options.max_findings.value_or(config.max_findings.value_or(kShownPerRule));
   const bool text = options.json != "-" && options.sarif != "-" && options.junit != "-";
   std::vector<CheckReport> reports;
   int status = kFine;
@@ -151,6 +152,15 @@ void finish(CheckOptions& options) {
   }
 }
 
+std::size_t whole_number(const std::string& option, const std::string& text) {
+  std::size_t number = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, problem] = std::from_chars(text.data(), end, number);
+  if (problem != std::errc{} || rest != end)
+    throw CLI::ValidationError(option, fmt::format("'{}' is not a whole number from 0 on", text));
+  return number;
+}
+
 void add_reports(CLI::App& check, CheckOptions& options) {
   check.add_option("--json", options.json, "Write all findings to this file; - is standard output")
       ->option_text("FILE");
@@ -159,9 +169,12 @@ void add_reports(CLI::App& check, CheckOptions& options) {
   check.add_option("--junit", options.junit, "Write them as JUnit XML: a suite per mesh")
       ->option_text("FILE");
   check
-      .add_option("--max-findings", options.max_findings,
-                  "Show this many findings of a rule and mesh (usually 20)")
-      ->check(CLI::PositiveNumber)
+      .add_option_function<std::string>(
+          "--max-findings",
+          [&options](const std::string& text) {
+            options.max_findings = whole_number("--max-findings", text);
+          },
+          "Show this many findings of a rule and mesh (usually 20)")
       ->option_text("N");
 }
 

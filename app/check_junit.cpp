@@ -20,6 +20,7 @@ struct Messages {
     if (++count <= at_most) text += finding.message + '\n';
   }
   std::string all(std::size_t at_most) const {
+    if (at_most == 0) return counted(count, "finding") + ", not shown\n";
     return count <= at_most ? text : text + fmt::format("and {} more\n", count - at_most);
   }
 };

@@ -105,6 +105,15 @@ std::string line(const CheckReport& report, const Finding& finding) {
                      finding.message);
 }
 
+// In place of the findings of one rule and severity of which only the first `shown` are listed.
+std::string line_on_the_others(const CheckReport& report, const Finding& last, std::size_t count,
+                               std::size_t shown) {
+  const std::string others = shown == 0 ? counted(count, "finding") + ", not shown"
+                                        : fmt::format("{} more like these", count - shown);
+  return fmt::format("{}: {}: {}: {}; --json lists them all\n", report.source, name(last.severity),
+                     last.rule, others);
+}
+
 std::string line_on_the_whole(const CheckReport& report) {
   std::string text =
       fmt::format("{}: dimension {}, {}, {}", report.source, report.dimension,
@@ -142,8 +151,7 @@ std::string text_of(const CheckReport& report, std::size_t at_most, bool summary
     if (count <= at_most)
       text += line(report, finding);
     else if (count == of_kind[kind])
-      text += fmt::format("{}: {}: {}: {} more like these; --json lists them all\n", report.source,
-                          name(finding.severity), finding.rule, count - at_most);
+      text += line_on_the_others(report, finding, count, at_most);
   }
   if (!report.undecided.empty())
     text += fmt::format("{}: undecided until these are mended: {}\n", report.source,

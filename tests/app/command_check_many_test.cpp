@@ -153,6 +153,39 @@ TEST_F(CheckMany, ShowsAsManyFindingsAsAskedFor) {
   EXPECT_EQ(lines({"--config", "c.json", "--max-findings", "3"}), 3);
 }
 
+TEST_F(CheckMany, CountsFindingsThatAreNotShown) {
+  put("m.mesh", one_tetrahedron(true));
+  const Outcome none = cleave({"check", "m.mesh", "--max-findings", "0", "--junit", "j.xml"});
+  EXPECT_EQ(none.status, 1);
+  EXPECT_NE(none.out.find("inverted-cell: 1 finding, not shown; --json"), std::string::npos)
+      << none.out;
+  EXPECT_NE(read("j.xml").find("1 finding, not shown"), std::string::npos) << read("j.xml");
+  for (const char* wrong : {"-1", "1.5", "many", "", "99999999999999999999999"}) {
+    const Outcome refused = cleave({"check", "m.mesh", "--max-findings", wrong});
+    EXPECT_EQ(refused.status, 2) << wrong;
+    EXPECT_NE(refused.err.find("whole number from 0 on"), std::string::npos) << refused.err;
+  }
+}
+
+TEST_F(CheckMany, InsistsOnALevelAskedForOnTheCommandLine) {
+  put("twice.mesh",
+      medit({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}, {{1, 2, 3, 4, 0}, {1, 2, 3, 4, 0}}));
+  put("m.mesh", suspended_annulus());
+  put("c.json", R"({"severity": {"duplicate-cell": "off", "facet-in-three-cells": "note"},
+                    "overrides": [{"files": ["m.mesh"], "severity": {"bad-vertex-link": "off"}}]})");
+  const auto check = [&](const std::string& mesh, std::vector<std::string> more, int status) {
+    more.insert(more.begin(), {mesh, "--config", "c.json"});
+    return reports(more, status)[0]["violations"];
+  };
+  EXPECT_TRUE(check("twice.mesh", {}, 0).empty());
+  EXPECT_EQ(check("twice.mesh", {"--require", "pseudo-manifold"}, 1)[0]["rule"], "duplicate-cell");
+  EXPECT_TRUE(check("m.mesh", {}, 0).empty());
+  EXPECT_TRUE(check("m.mesh", {"--require", "edge-regular"}, 0).empty());  // the rule is above it
+  EXPECT_EQ(check("m.mesh", {"--require", "manifold"}, 1)[0]["severity"], "error");
+  EXPECT_TRUE(
+      check("m.mesh", {"--require", "manifold", "--severity", "bad-vertex-link=off"}, 0).empty());
+}
+
 TEST_F(CheckMany, RefusesConfigurationsThatSayNothing) {
   put("m.mesh", two_tetrahedra());
   const std::vector<std::pair<std::string, std::string>> wrong = {
