@@ -40,13 +40,17 @@ std::set<std::string> leaving_names(const CutState<D>& state, const StitchOption
   return leaving;
 }
 
-// The scored facets to be taken back.
+// The scored facets to be taken back. The names of the request are forgotten: what another name
+// asks for, too, stays scored by that one alone.
 template <int D>
-FacetSet taken_back(const CutSource& source, const StitchOptions& options, const CutState<D>& state,
+FacetSet taken_back(const CutSource& source, const StitchOptions& options, CutState<D>& state,
                     StitchResult& result) {
   if (options.all) return state.incision.scored();
   const FacetSet scored = state.incision.scored();
-  FacetSet taken = state.only_in(leaving_names(state, options));
+  const std::set<std::string> leaving = leaving_names(state, options);
+  FacetSet taken = state.only_in(leaving);
+  for (const std::string& name : leaving) state.groups.erase(name);
+  if (leaving.count("cut") != 0) state.others = FacetSet();
   if (options.facets.empty()) return taken;
   const auto named = facets_in<D>(source, options.facets);
   const SortedOut sorted = sort_out(state.body.complex, std::span<const HalfFacetId>(named));

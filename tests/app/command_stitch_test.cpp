@@ -156,6 +156,23 @@ TEST_F(Stages, OpenWhatWasShutBefore) {
   expect_same("d.mesh", "b.mesh");
 }
 
+TEST_F(Stages, ForgetANameThatIsTakenBackThoughItSharesFacets) {
+  write("shared.mesh", medit({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {1, 1, 1}},
+                             {{1, 2, 5, 7}, {2, 4, 5, 7}, {2, 4, 5, 8}, {1, 4, 5, 8}, {1, 4, 5, 9}},
+                             {{1, 2, 3, 5, 0}, {1, 4, 2, 5, 0}, {2, 4, 3, 5, 0}, {1, 3, 4, 5, 0}}));
+  expect_all_ways_meet("shared.mesh", ".mesh", {"--group", "7"}, {"--group", "8"});
+  // 9 lies within 8: nothing closes, but the name goes.
+  expect_all_ways_meet("shared.mesh", ".mesh", {"--group", "8"}, {"--group", "9"});
+
+  done({"cut", "shared.mesh", "-o", "a.mesh", "--group", "7"});
+  done({"cut", "a.mesh", "-o", "all.mesh", "--all"});
+  done({"stitch", "all.mesh", "-o", "rest.mesh", "--group", "cut"});
+  expect_same("rest.mesh", "a.mesh");
+  done({"stitch", "all.mesh", "-o", "rest.mesh", "--group", "7"});
+  done({"cut", "shared.mesh", "-o", "only.mesh", "--all"});
+  expect_same("rest.mesh", "only.mesh");
+}
+
 TEST_F(Stages, TakeFacetsBackByNumberFromEitherSide) {
   write("star.mesh", star());
   done({"cut", "star.mesh", "-o", "all.mesh", "--all"});
