@@ -26,9 +26,11 @@ void add_reports(OutputFiles& files, const CutAnswer& answer) {
 }  // namespace
 
 void require_format(const std::string& out, bool cohesive) {
-  if (output_format_of(out) == MeshFormat::kMedit && cohesive)
-    throw InputError("'" + out +
-                     "': Medit files hold no cohesive elements; write .msh, .vtu, .vtk or .inp");
+  const MeshFormat format = output_format_of(out);
+  if (cohesive && (format == MeshFormat::kMedit || format == MeshFormat::kTetgen))
+    throw InputError(
+        fmt::format("'{}': {} files hold no cohesive elements; write .msh, .vtu, .vtk or .inp", out,
+                    name_of(format)));
 }
 
 CutAnswer answer(const std::string& json_option, std::string json, std::string text, bool quiet) {

@@ -102,7 +102,7 @@ StitchResult stitch_cells(const CutSource& source, const StitchOptions& options,
   progress.stage("looking at the cells");
   CutState<D> state(source.original());
   resume(state, source);
-  if (!options.out.empty()) require_format(target, state.cohesive);
+  if (!options.out.empty()) require_format(target, state.cohesive && !options.all);
   report.pieces_before = topology::pieces(state.incision.complex()).count;
   const FacetSet taken = taken_back(source, options, state, result);
   const FacetSet was_shut = state.incision.shut();

@@ -299,6 +299,16 @@ TEST_F(Stages, MakeCohesiveElementsAnewForAllThatIsOpen) {
                        {"--cohesive"});
 }
 
+TEST_F(Stages, RefuseFormatsWithoutCohesiveElements) {
+  done({"cut", data("fault.msh"), "-o", "a.msh", "--group", "fault", "branch", "--cohesive"});
+  for (const std::string out : {"x.mesh", "x.node"}) {
+    refused({"cut", data("fault.msh"), "-o", out, "--group", "fault", "--cohesive"}, out);
+    refused({"cut", "a.msh", "-o", out, "--all"}, "cohesive elements");
+    refused({"stitch", "a.msh", "-o", out, "--group", "fault"}, "cohesive elements");
+    done({"stitch", "a.msh", "-o", out, "--all"});
+  }
+}
+
 TEST_F(Stages, KeepMovedPointsInTheRecord) {
   done({"cut", data("fault.msh"), "-o", "a.msh", "--group", "fault", "--offset", "0.01"});
   done({"cut", "a.msh", "-o", "ab.msh", "--group", "branch"});
