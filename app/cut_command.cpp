@@ -81,6 +81,10 @@ void add_request(CLI::App& cut, CutOptions& options) {
 
 // What the options cannot say of each other by themselves.
 void require_sense(const CutOptions& options, bool with_ties) {
+  if (options.offset && !(*options.offset >= 0 && std::isfinite(*options.offset)))
+    throw CLI::ValidationError("--offset", "the distance must be finite and not negative");
+  if (options.offset.value_or(0) > 0 && options.cohesive)
+    throw CLI::ValidationError("--offset", "it excludes --cohesive, unless it is 0");
   if (options.fix_it == "-") throw CLI::ValidationError("--fix-it", "give the name of a file");
   const auto from_stdin = std::count(options.facets.begin(), options.facets.end(), "-");
   if (from_stdin + (options.sweep == "-" ? 1 : 0) > 1)
@@ -124,13 +128,11 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
                    "Refuse (refusing, default), or cut further facets to reach the level (cutting)")
       ->needs(level)
       ->option_text("HOW");
-  auto* cohesive =
-      cut->add_flag("--cohesive", options->cohesive,
-                    "Put cohesive elements of no thickness between the two sides of what opens");
+  cut->add_flag("--cohesive", options->cohesive,
+                "Put cohesive elements of no thickness between the two sides of what opens");
   cut->add_option("--offset", options->offset,
-                  "Move the two sides apart by this distance, to look at the cut")
-      ->check(CLI::NonNegativeNumber)
-      ->excludes(cohesive)
+                  "Move the two sides apart by this distance, to look at the cut; 0 moves them "
+                  "back")
       ->option_text("DISTANCE");
   cut->add_flag("--require-open", options->require_open, "Exit with 1 if a facet stays shut");
   cut->add_flag("--strict", options->strict,
@@ -163,8 +165,6 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
     if (out->count() == 0 && dry_run->count() == 0)
       throw CLI::RequiredError("-o OUT (or --dry-run)");
     const CutOptions& o = *options;
-    if (!std::isfinite(o.offset))
-      throw CLI::ValidationError("--offset", "the distance must be finite");
     require_sense(o, ties->count() > 0);
     std::vector<std::string> files{o.mesh,
                                    o.out,

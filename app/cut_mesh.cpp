@@ -55,6 +55,18 @@ std::vector<cutting::Point<D>> rest_points(const CutState<D>& state) {
   return points;
 }
 
+// The interior facets that --keep excludes.
+template <int D>
+FacetSet facets_to_keep(const CutSource& source, const CutOptions& options,
+                        const CutState<D>& state) {
+  std::vector<HalfFacetId> kept;
+  for (const std::string& name : options.keep) {
+    const auto facets = facets_of_group<D>(source, name);
+    kept.insert(kept.end(), facets.begin(), facets.end());
+  }
+  return sort_out(state.body.complex, std::span<const HalfFacetId>(kept)).interior;
+}
+
 // One request, made in a state.
 template <int D>
 class Cutting {
@@ -62,11 +74,9 @@ class Cutting {
   Cutting(const CutSource& source, const CutOptions& options, CutState<D>& state, CutResult& result)
       : source_(source), options_(options), state_(state), result_(result) {}
 
-  // Scores what is asked for. `attempted` is the last set that was cut along, or began to be.
-  void run(FacetSet& attempted) {
-    std::vector<HalfFacetId> kept;
-    for (const std::string& name : options_.keep) append(kept, facets_of_group<D>(source_, name));
-    const FacetSet keep = interior(kept).interior;
+  // Scores what is asked for, but for `keep`. `attempted` is the last set that was cut along, or
+  // began to be.
+  void run(const FacetSet& keep, FacetSet& attempted) {
     cut_named(keep, attempted);
     if (!options_.sweep.empty()) sweep(keep);
   }
@@ -139,13 +149,22 @@ class Cutting {
   CutResult& result_;
 };
 
-// Cuts what else must be cut for the level that is asked for.
+// Cuts what else must be cut for the level that is asked for; refuses to cut what is to be kept.
 template <int D>
-void cut_to_reach(const CutSource& source, const CutOptions& options, CutState<D>& state,
-                  FacetSet& attempted, CutResult& result) {
+void cut_to_reach(const CutSource& source, const CutOptions& options, const FacetSet& keep,
+                  CutState<D>& state, FacetSet& attempted, CutResult& result) {
   if (!options.require || !options.require_by_cutting) return;
-  attempted =
+  const FacetSet further =
       topology::facets_to_reach(state.incision.complex(), state.incision.shut(), *options.require);
+  const FacetSet kept = further & keep;
+  if (!kept.empty())
+    throw InputError(fmt::format(
+        "{}: to reach the level of --require, --require-by cutting would cut {} that --keep "
+        "excludes: {}; leave their groups out of --keep, or require a lower level; nothing is "
+        "written",
+        options.mesh, counted(kept.size(), "facet"),
+        facets_listed(facets_vertices(source.mesh, kept))));
+  attempted = further;
   state.incision.cut(attempted, options.verify);
   state.others = state.others | attempted;
   for (const HalfFacetId h : attempted.half_facets())
@@ -190,21 +209,27 @@ CutResult cut_cells(const CutSource& source, const CutOptions& options, Progress
     result.report.earlier =
         CutReport::Earlier{source.record->opened.size(), source.record->shut.size()};
   state.cohesive = state.cohesive || options.cohesive;
-  if (options.offset > 0) state.offset = options.offset;
+  if (options.offset) state.offset = *options.offset;
   if (state.cohesive && state.offset > 0)
-    throw InputError(options.mesh +
-                     ": its record has cohesive elements between the sides, which --offset would "
-                     "give a thickness; cut the original again, or leave it out");
+    throw InputError(
+        options.mesh +
+        (options.offset
+             ? ": its record has cohesive elements between the sides, which --offset would give a "
+               "thickness; cut the original again, or leave it out"
+             : fmt::format(": its record moves the sides apart by {:g}; give --offset 0 with "
+                           "--cohesive, whose elements have no thickness",
+                           state.offset)));
   if (state.cohesive) {
     require_cohesive(source.original());
     if (!options.out.empty()) require_format(options.out, true);
   }
+  const FacetSet keep = facets_to_keep(source, options, state);
   FacetSet attempted;
   CutOutput output;
   try {
     progress.stage("cutting");
-    Cutting<D>(source, options, state, result).run(attempted);
-    cut_to_reach(source, options, state, attempted, result);
+    Cutting<D>(source, options, state, result).run(keep, attempted);
+    cut_to_reach(source, options, keep, state, attempted, result);
     progress.stage("naming what opened");
     const std::string& target = options.out.empty() ? options.mesh : options.out;
     output = output_of(state, numbering_of(target));
@@ -219,7 +244,7 @@ CutResult cut_cells(const CutSource& source, const CutOptions& options, Progress
   }
   warn_of_output(source, output, result);
   progress.stage("looking at the result");
-  fill_report(state, source.mesh, output, Wanted{options.explain, !options.fix_it.empty()},
+  fill_report(state, source.mesh, output, Wanted{options.explain, !options.fix_it.empty(), keep},
               result.report);
   result.mesh = std::move(output.mesh);
   return result;

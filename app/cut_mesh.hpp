@@ -22,7 +22,7 @@ struct CutOptions {
   cutting::SelectOptions select;
   topology::Verify verify = topology::Verify::touched;
   bool cohesive = false;
-  double offset = 0;
+  std::optional<double> offset;  // none: as the record says
   bool dry_run = false, explain = false, require_open = false, strict = false, quiet = false;
   bool forget = false;                     // the record beside the mesh
   std::optional<topology::Level> require;  // of the result

@@ -12,6 +12,7 @@
 
 namespace cleave::app {
 
+using topology::FacetSet;
 using topology::VertexId;
 
 namespace {
@@ -51,20 +52,40 @@ std::size_t copied_nodes(const CutOutput& output) {
   return origins.size() - static_cast<std::size_t>(distinct);
 }
 
-CutReport::Fix fix_of(const topology::FacetSet& further, bool exact, const Mesh& shown) {
-  CutReport::Fix fix{{}, exact};
-  for (const auto h : further.half_facets()) fix.facets.push_back(facet_vertices(shown, h));
-  return fix;
+// The smallest set that opens one shut facet; nothing is offered if it has facets of `keep`.
+template <int D>
+CutReport::Fix fix_of(const CutState<D>& state, topology::HalfFacetId h, const FacetSet& keep,
+                      const Mesh& shown) {
+  const auto& incision = state.incision;
+  const FacetSet further = topology::separating_facets(incision.complex(), incision.shut(), h);
+  const FacetSet kept = further & keep;
+  if (kept.empty()) return {facets_vertices(shown, further), true, {}};
+  return {{}, false, facets_vertices(shown, kept)};
+}
+
+// The same for all shut facets. If that takes facets of `keep`, what is offered opens those of them
+// whose own smallest sets have none.
+template <int D>
+CutReport::Fix fix_of_all(const CutState<D>& state, const FacetSet& keep, const Mesh& shown) {
+  const auto& k = state.incision.complex();
+  const FacetSet shut = state.incision.shut();
+  const FacetSet further = topology::separating_facets(k, shut, shut.half_facets());
+  const FacetSet kept = further & keep;
+  if (kept.empty()) return {facets_vertices(shown, further), shut.size() <= 1, {}};
+  FacetSet offered;
+  for (const auto h : shut.half_facets()) {
+    const FacetSet own = topology::separating_facets(k, shut, h);
+    if ((own & keep).empty()) offered = offered | own;
+  }
+  return {facets_vertices(shown, offered), false, facets_vertices(shown, kept)};
 }
 
 template <int D>
 CutReport::Shut shut_facet(const CutState<D>& state, const Shown<D>& shown, topology::HalfFacetId h,
-                           bool with_fix) {
+                           const Wanted& wanted) {
   CutReport::Shut shut{facet_vertices(shown.mesh(), h), {}, std::nullopt};
   const auto& incision = state.incision;
-  if (with_fix)
-    shut.fix = fix_of(topology::separating_facets(incision.complex(), incision.shut(), h), true,
-                      shown.mesh());
+  if (wanted.opened) shut.fix = fix_of(state, h, wanted.keep, shown.mesh());
   for (const auto& because : topology::explain(incision.complex(), incision.shut(), h)) {
     auto& reason = shut.because.emplace_back();
     reason.vertex = shown.vertex(h, incision.original(because.vertex));
@@ -77,8 +98,8 @@ CutReport::Shut shut_facet(const CutState<D>& state, const Shown<D>& shown, topo
 }  // namespace
 
 template <int D>
-void fill_report(const CutState<D>& state, const Mesh& mesh, const CutOutput& output, Wanted wanted,
-                 CutReport& report) {
+void fill_report(const CutState<D>& state, const Mesh& mesh, const CutOutput& output,
+                 const Wanted& wanted, CutReport& report) {
   const Shown<D> shown(state.body, mesh);
   const auto& after = state.incision.complex();
   const auto opened = state.incision.opened();
@@ -97,12 +118,10 @@ void fill_report(const CutState<D>& state, const Mesh& mesh, const CutOutput& ou
   list_copies(state, shown, output, report);
   report.vertices_before = report.vertices_after - report.regularized.size() - report.splits.size();
 
-  const auto shut = state.incision.shut().half_facets();
-  for (const auto h : shut)
-    report.shut_facets.push_back(shut_facet(state, shown, h, wanted.opened));
-  if (wanted.fix)
-    report.fix = fix_of(topology::separating_facets(after, state.incision.shut(), shut),
-                        shut.size() <= 1, mesh);
+  const FacetSet shut = state.incision.shut();
+  for (const auto h : shut.half_facets())
+    report.shut_facets.push_back(shut_facet(state, shown, h, wanted));
+  if (wanted.fix) report.fix = fix_of_all(state, wanted.keep, mesh);
   if (wanted.opened) {
     report.opened_facets.emplace();
     for (const auto& facet : opened)
@@ -118,12 +137,18 @@ void fill_report(const CutState<D>& state, const Mesh& mesh, const CutOutput& ou
 
 namespace {
 
-// "(1 2 3), (2 3 4)"
-std::string facets_listed(const std::vector<std::vector<std::uint64_t>>& facets) {
-  std::string text;
-  for (const auto& facet : facets)
-    text += fmt::format("{}({})", text.empty() ? "" : ", ", listed(facet));
-  return text;
+std::string fix_text(const CutReport& report) {
+  if (report.shut == 0) return "nothing is shut";
+  const std::string more = counted(report.fix->facets.size(), "facet") + " more would open what is";
+  if (report.fix->kept.empty()) return more + " shut";
+  return fmt::format("{} shut, as far as they do without facets of --keep, such as: {}", more,
+                     facets_listed(report.fix->kept));
+}
+
+std::string fix_text(const CutReport::Fix& fix) {
+  if (fix.kept.empty()) return "would open with: " + facets_listed(fix.facets);
+  return "the smallest set that would open it has facets of --keep, so none is offered: " +
+         facets_listed(fix.kept);
 }
 
 }  // namespace
@@ -147,9 +172,7 @@ std::string text_of(const CutReport& report, const std::string& source, bool exp
   if (!report.added.empty())
     text += fmt::format("{}: cut besides, to reach the level: {}\n", source,
                         facets_listed(report.added));
-  if (report.fix)
-    text += fmt::format("{}: {} more would open what is shut\n", source,
-                        counted(report.fix->facets.size(), "facet"));
+  if (report.fix) text += fmt::format("{}: {}\n", source, fix_text(report));
   if (report.shut > 0 && !explain)
     text += fmt::format("{}: --explain says why facets stay shut\n", source);
   if (!explain) return text;
@@ -159,7 +182,7 @@ std::string text_of(const CutReport& report, const std::string& source, bool exp
     for (const auto& because : shut.because)
       text += fmt::format("  around vertex {} the sides are joined through cells {}\n",
                           because.vertex, listed(because.through));
-    if (shut.fix) text += "  would open with: " + facets_listed(shut.fix->facets) + "\n";
+    if (shut.fix) text += "  " + fix_text(*shut.fix) + "\n";
   }
   if (report.opened_facets)
     for (const auto& opened : *report.opened_facets)
@@ -168,8 +191,11 @@ std::string text_of(const CutReport& report, const std::string& source, bool exp
   return text;
 }
 
-template void fill_report<1>(const CutState<1>&, const Mesh&, const CutOutput&, Wanted, CutReport&);
-template void fill_report<2>(const CutState<2>&, const Mesh&, const CutOutput&, Wanted, CutReport&);
-template void fill_report<3>(const CutState<3>&, const Mesh&, const CutOutput&, Wanted, CutReport&);
+template void fill_report<1>(const CutState<1>&, const Mesh&, const CutOutput&, const Wanted&,
+                             CutReport&);
+template void fill_report<2>(const CutState<2>&, const Mesh&, const CutOutput&, const Wanted&,
+                             CutReport&);
+template void fill_report<3>(const CutState<3>&, const Mesh&, const CutOutput&, const Wanted&,
+                             CutReport&);
 
 }  // namespace cleave::app

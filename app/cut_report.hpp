@@ -21,6 +21,7 @@ struct CutReport {
   struct Fix {
     std::vector<std::vector<std::uint64_t>> facets;  // to be cut as well, so that it opens
     bool exact;                                      // no smaller set would do
+    std::vector<std::vector<std::uint64_t>> kept;    // what needs these of --keep is not offered
   };
   struct Shut {
     std::vector<std::uint64_t> facet;  // vertices, ascending
@@ -58,8 +59,9 @@ struct CutReport {
 
 /// What is left out of a report unless it is asked for.
 struct Wanted {
-  bool opened = false;  // opened_facets, and the fix of each shut facet
-  bool fix = false;     // for all of them together
+  bool opened = false;           // opened_facets, and the fix of each shut facet
+  bool fix = false;              // for all of them together
+  topology::FacetSet keep = {};  // in no fix
 };
 
 /// Fills `report` in for `state`, whose output is `output`; facets and parents have the numbers of
@@ -68,7 +70,7 @@ struct Wanted {
 /// mesh; for the fixes, in the stars of the shut facets.
 template <int D>
 void fill_report(const CutState<D>& state, const Mesh& shown, const CutOutput& output,
-                 Wanted wanted, CutReport& report);
+                 const Wanted& wanted, CutReport& report);
 
 /// A few lines; with `explain` one more for each shut or opened facet.
 std::string text_of(const CutReport& report, const std::string& source, bool explain);

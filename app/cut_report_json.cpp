@@ -14,7 +14,11 @@ Json json_of(const std::vector<CutReport::Copy>& copies) {
   return list;
 }
 
-Json json_of(const CutReport::Fix& fix) { return {{"facets", fix.facets}, {"exact", fix.exact}}; }
+Json json_of(const CutReport::Fix& fix) {
+  Json json{{"facets", fix.facets}, {"exact", fix.exact}};
+  if (!fix.kept.empty()) json["kept"] = fix.kept;
+  return json;
+}
 
 Json json_of(const CutReport::Shut& shut) {
   Json because = Json::array();

@@ -38,8 +38,22 @@ std::vector<std::uint64_t> facet_vertices(const Mesh& mesh, HalfFacetId h) {
   return numbers;
 }
 
+std::vector<std::vector<std::uint64_t>> facets_vertices(const Mesh& mesh,
+                                                        const topology::FacetSet& facets) {
+  std::vector<std::vector<std::uint64_t>> all;
+  for (const HalfFacetId h : facets.half_facets()) all.push_back(facet_vertices(mesh, h));
+  return all;
+}
+
 std::string listed(const std::vector<std::uint64_t>& numbers) {
   return fmt::format("{}", fmt::join(numbers, " "));
+}
+
+std::string facets_listed(const std::vector<std::vector<std::uint64_t>>& facets) {
+  std::string text;
+  for (const auto& facet : facets)
+    text += fmt::format("{}({})", text.empty() ? "" : ", ", listed(facet));
+  return text;
 }
 
 std::string counted(std::size_t count, const std::string& word, const std::string& plural) {

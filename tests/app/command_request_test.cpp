@@ -99,6 +99,76 @@ TEST_F(Request, KeepNamedFacetsOut) {
   refused({"cut", "star.mesh", "-o", "b.mesh", "--all", "--keep", "10"}, "\"10\"");
 }
 
+TEST_F(Request, RefuseToReachALevelThroughFacetsToBeKept) {
+  write("annulus.mesh", suspended_annulus());
+  write("none.json", R"({"facets": []})");
+  const std::vector<std::string> reach{"--require", "manifold", "--require-by", "cutting"};
+  const auto cut = [&](const std::string& mesh, std::vector<std::string> args) {
+    args.insert(args.begin(), {"cut", mesh});
+    args.insert(args.end(), reach.begin(), reach.end());
+    return args;
+  };
+  const Outcome free =
+      cleave(cut("annulus.mesh", {"--dry-run", "--facets", "none.json", "--json", "-"}));
+  ASSERT_EQ(free.status, 0) << free.err;
+  const json wanted = json::parse(free.out)["added_facets"];
+  ASSERT_FALSE(wanted.empty());
+
+  // The same mesh with the first of these facets in a group.
+  Mesh mesh = read_mesh(folder_ / "annulus.mesh");
+  Group group;
+  group.dimension = 2;
+  group.name = "seam";
+  group.elements = {static_cast<std::uint32_t>(mesh.facets().size())};
+  for (const json& number : wanted[0])
+    mesh.elements[2].vertices.push_back(number.get<std::uint32_t>() - 1);
+  mesh.elements[2].numbers.push_back(100000);
+  mesh.groups.push_back(group);
+  write_mesh(folder_ / "seam.msh", mesh);
+  refused(cut("seam.msh", {"-o", "a.msh", "--facets", "none.json", "--keep", "seam"}),
+          "1 facet that --keep excludes: (");
+  const Outcome all = cleave(cut("seam.msh", {"-o", "a.msh", "--facets", "none.json"}));
+  EXPECT_EQ(all.status, 0) << all.err;
+}
+
+TEST_F(Request, OfferNoFacetsThatAreToBeKept) {
+  write("star.mesh", star());
+  const auto ask = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"cut", "star.mesh", "--dry-run", "--explain", "--fix-it",
+                               "more.json", "--json", "r.json"});
+    const Outcome outcome = cleave(more);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
+  };
+  ask({"--group", "7"});
+  const json fix = json::parse(read("r.json"))["fix"];
+  ASSERT_EQ(fix["facets"].size(), 1u);
+  EXPECT_FALSE(fix.contains("kept"));
+
+  // The same facet, now in the group 10.
+  Tuple facet = fix["facets"][0].get<Tuple>();
+  facet.push_back(10);
+  write("star.mesh",
+        medit({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {1, 1, 1}}, {{1, 2, 5, 7}, facet},
+              {{1, 2, 3, 5, 0}, {1, 4, 2, 5, 0}, {2, 4, 3, 5, 0}, {1, 3, 4, 5, 0}}));
+  const std::string text = ask({"--group", "7", "--keep", "10"});
+  EXPECT_EQ(text.find("would open with: "), std::string::npos) << text;
+  EXPECT_NE(text.find("has facets of --keep"), std::string::npos) << text;
+  const json report = json::parse(read("r.json"));
+  for (const json& offer : {report["fix"], report["shut_facets"][0]["fix"]}) {
+    EXPECT_EQ(offer["facets"], json::array());
+    EXPECT_EQ(offer["exact"], false);
+    EXPECT_EQ(offer["kept"], fix["facets"]);
+  }
+  EXPECT_EQ(json::parse(read("more.json")), json::parse(R"({"facets": []})"));
+  const Outcome valid = run({"/usr/bin/python3", CLEAVE_VALIDATE_JSON,
+                             CLEAVE_SCHEMAS "/cleave-cut-1.schema.json", "r.json"});
+  EXPECT_TRUE(valid.status == 0 || valid.status == 77) << valid.err;  // 77: no validator here
+
+  const std::string open = ask({"--all"});
+  EXPECT_NE(open.find("nothing is shut"), std::string::npos) << open;
+}
+
 TEST_F(Request, LeaveSweptFacetsAloneThatAreToBeKept) {
   write("half.json", R"({"blade": [[[-1, 1.5, -1], [-1, 1.5, 5]], [[9, 1.5, -1], [9, 1.5, 5]]]})");
   const auto report = [&](const std::vector<std::string>& more) {

@@ -320,5 +320,23 @@ TEST_F(Stages, KeepMovedPointsInTheRecord) {
   EXPECT_TRUE(read("back.msh") == read("original.msh"));
 }
 
+TEST_F(Stages, MoveThePointsBackWhenAsked) {
+  done({"cut", data("fault.msh"), "-o", "a.msh", "--group", "fault", "--offset", "0.01"});
+  refused({"cut", "a.msh", "-o", "x.msh", "--group", "branch", "--cohesive"},
+          "its record moves the sides apart by 0.01; give --offset 0 with --cohesive");
+  done({"cut", "a.msh", "-o", "flat.msh", "--group", "branch", "--offset", "0"});
+  done({"cut", data("fault.msh"), "-o", "once.msh", "--group", "fault", "branch"});
+  expect_same("flat.msh", "once.msh");
+  done({"cut", "a.msh", "-o", "c.msh", "--group", "branch", "--offset", "0", "--cohesive"});
+  done({"cut", data("fault.msh"), "-o", "once.msh", "--group", "fault", "branch", "--cohesive"});
+  expect_same("c.msh", "once.msh");
+  refused({"cut", "c.msh", "-o", "x.msh", "--group", "branch", "--offset", "0.1"}, "thickness");
+  for (const std::string distance : {"-1", "inf", "nan"}) {
+    const Outcome odd = cleave({"cut", "a.msh", "--dry-run", "--all", "--offset", distance});
+    EXPECT_EQ(odd.status, 2) << odd.err;
+    EXPECT_LT(odd.err.size(), 200u) << odd.err;
+  }
+}
+
 }  // namespace
 }  // namespace cleave::app::test
