@@ -139,7 +139,12 @@ std::string_view describe_content(std::string_view bytes) {
   if (text == std::string_view::npos) return "blank lines";
   bytes.remove_prefix(text);
   if (starts("<")) return "an XML file (.vtu?)";
-  if (starts("{") || starts("[")) return "a JSON file";
+  // A bracket before a word starts a section of a configuration, say.
+  const auto inner = bytes.substr(0, 4096).find_first_not_of(" \t\r\n", 1);
+  const bool is_list =
+      starts("[") && inner != std::string_view::npos &&
+      std::string_view("[{]\"-0123456789").find(bytes[inner]) != std::string_view::npos;
+  if (starts("{") || is_list) return "a JSON file";
   if (starts("$MeshFormat")) return "a gmsh file (.msh)";
   if (starts("MeshVersion")) return "a Medit file (.mesh)";
   return {};

@@ -48,6 +48,14 @@ TEST_F(BadInput, MissingEmptyOrUnknownFile) {
   refused({"cut", "folder.mesh", "-o", "out.mesh", "--all", "--json", "r.json"}, {"folder.mesh"});
 }
 
+TEST_F(BadInput, OnlyAListIsTakenForJson) {
+  write("list.inp", "[[1, 2], [3, 4]]\n");
+  mesh_refused("list.inp", {"list.inp", "a JSON file"});
+  write("sections.inp", "[section]\nkey = 1\n");
+  mesh_refused("sections.inp", {"sections.inp"});
+  EXPECT_EQ(cleave({"check", "sections.inp"}).err.find("JSON"), std::string::npos);
+}
+
 TEST_F(BadInput, TruncatedFile) {
   const std::string whole = two_tetrahedra();
   for (const std::size_t part : {whole.size() / 4, whole.size() / 2, whole.size() - 6}) {
