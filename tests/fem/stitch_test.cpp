@@ -156,8 +156,10 @@ RC_GTEST_PROP(DisplacementsAfterStitchesProperty, KeepTheirMean, (std::uint64_t 
   // Copies that were not moved apart come back where they were.
   Wound back = wound;
   Eigen::VectorXd unmoved = u;
-  if (back.incision.can_undo())
-    carry_over(unmoved, back.k(), back.points, back.follow(back.incision.undo()));
+  if (back.incision.can_undo()) {
+    const auto undone = back.follow(back.incision.undo());
+    carry_over(unmoved, back.k(), back.points, undone);
+  }
   RC_ASSERT((unmoved - at_first).norm() <= 1e-14 * at_first.norm());
 
   u += random_vector(u.size(), rng);
