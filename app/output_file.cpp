@@ -26,13 +26,11 @@ std::string link_to(int descriptor) { return "/proc/self/fd/" + std::to_string(d
 
 }  // namespace
 
-OutputFile::OutputFile(const std::filesystem::path& target) : shown_(target), target_(target) {
+OutputFile::OutputFile(const std::filesystem::path& target) : shown_(target) {
   if (target.empty()) throw OutputError("cannot write: the name of the output file is empty");
   std::error_code error;
-  if (std::filesystem::is_symlink(target, error)) {
-    target_ = std::filesystem::weakly_canonical(target, error);
-    if (error) fail(error.value());
-  }
+  target_ = behind_links(target);
+  if (std::filesystem::is_symlink(target_, error)) fail(ELOOP);
   struct stat status {};
   const bool exists = stat(target_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) fail(EISDIR);
@@ -76,7 +74,8 @@ void OutputFile::open_temporary() {
       temporary_ = name;
     } else if (errno != EEXIST) {
       const int error_number = errno;
-      if (error_number == ENOENT)
+      std::error_code error;
+      if (error_number == ENOENT && !std::filesystem::exists(folder_of(target_), error))
         throw OutputError("cannot write '" + shown_.string() + "': the folder '" +
                           folder_of(target_).string() + "' does not exist; make it first");
       fail(error_number);

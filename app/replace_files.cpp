@@ -73,11 +73,23 @@ std::filesystem::path temporary_name(const std::filesystem::path& target) {
          (".cleave-" + std::to_string(getpid()) + "-" + std::to_string(count++) + ".tmp");
 }
 
+std::filesystem::path behind_links(const std::filesystem::path& path) {
+  std::filesystem::path file = path;
+  std::error_code error;
+  for (int links = 0; links < 40 && std::filesystem::is_symlink(file, error); ++links) {
+    const auto next = std::filesystem::read_symlink(file, error);
+    if (error) break;
+    file = file.parent_path() / next;
+  }
+  return file;
+}
+
 void cannot_write(const std::filesystem::path& shown, int error_number) {
   std::string what =
       "cannot write '" + shown.string() + "': " + std::generic_category().message(error_number);
   if (error_number == ENOSPC || error_number == EDQUOT)
     what += "; free some space or write elsewhere, no partial file is left";
+  if (error_number == ENOENT) what += "; no files can be made in this folder, write elsewhere";
   if (error_number == EISDIR) what += "; give the name of a file in it";
   throw OutputError(what);
 }

@@ -29,6 +29,10 @@ std::filesystem::path temporary_name(const std::filesystem::path& target);
 /// The folder that `file` is in; "." for a bare name.
 std::filesystem::path folder_of(const std::filesystem::path& file);
 
+/// The file that `path` names when symbolic links are followed, whether there is one or not: `path`
+/// itself if it is no link. After 40 links, as the kernel does, it gives up and returns a link.
+std::filesystem::path behind_links(const std::filesystem::path& path);
+
 /// Throws OutputError: `shown` cannot be written, why, and what to do.
 [[noreturn]] void cannot_write(const std::filesystem::path& shown, int error_number);
 

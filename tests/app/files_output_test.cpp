@@ -87,6 +87,27 @@ TEST_F(Output, ASymbolicLinkStaysOne) {
   EXPECT_EQ(bytes("real"), "new");
 }
 
+TEST_F(Output, ASymbolicLinkToNothingIsFollowed) {
+  std::filesystem::create_directory(path("folder"));
+  std::filesystem::create_symlink("folder/next", path("link"));
+  std::filesystem::create_symlink("../real", path("folder/next"));
+  write_file(path("link"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link")));
+  EXPECT_TRUE(std::filesystem::is_symlink(path("folder/next")));
+  EXPECT_EQ(bytes("real"), "new");
+  std::filesystem::create_symlink("loop", path("loop"));
+  EXPECT_NE(writing_error(path("loop")).find("Too many levels"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::is_symlink(path("loop")));
+  std::filesystem::create_symlink("nowhere/file", path("lost"));
+  EXPECT_NE(writing_error(path("lost")).find("nowhere' does not exist"), std::string::npos);
+}
+
+TEST_F(Output, AFolderWithoutNewFilesIsNotCalledMissing) {
+  const std::string message = writing_error("/proc/x.msh");
+  EXPECT_EQ(message.find("does not exist"), std::string::npos) << message;
+  EXPECT_NE(message.find("cannot write '/proc/x.msh'"), std::string::npos) << message;
+}
+
 TEST_F(Output, AFullDiskIsAnError) {
   const std::string message = writing_error("/dev/full");
   EXPECT_NE(message.find("/dev/full"), std::string::npos) << message;
