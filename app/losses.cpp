@@ -58,10 +58,12 @@ class LossFinder {
   }
 
  private:
-  void add(std::size_t count, const char* kind, const std::string& what, const std::string& fate) {
+  /// `plural` is given where it is not `what` and an s.
+  void add(std::size_t count, const char* kind, const std::string& what, const std::string& fate,
+           const std::string& plural = {}) {
     if (count == 0) return;
     losses_.push_back({kind, count,
-                       fmt::format("{}: {} {} {}", name_of(format_), counted(count, what),
+                       fmt::format("{}: {} {} {}", name_of(format_), counted(count, what, plural),
                                    count == 1 ? "is" : "are", fate)});
   }
 
@@ -73,7 +75,7 @@ class LossFinder {
       if (elements.second_order() && !kept) count += elements.size();
     }
     add(count, "second-order", "element of second order",
-        "written without midside nodes, which stay as vertices");
+        "written without midside nodes, which stay as vertices", "elements of second order");
   }
 
   void find_periodic() {
@@ -89,10 +91,10 @@ class LossFinder {
     std::size_t cells = all(holds_.cell_fields, mesh_.cell_fields);
     std::size_t facets = all(holds_.facet_fields, mesh_.facet_fields);
     if (format_ == MeshFormat::kVtu || format_ == MeshFormat::kVtk) find_vtk_fields(cells, facets);
-    add(all(holds_.point_fields, mesh_.point_fields), "point-fields", "field of points",
-        "left out");
-    add(cells, "cell-fields", "field of cells", "left out");
-    add(facets, "facet-fields", "field of facets", "left out");
+    add(all(holds_.point_fields, mesh_.point_fields), "point-fields", "field of points", "left out",
+        "fields of points");
+    add(cells, "cell-fields", "field of cells", "left out", "fields of cells");
+    add(facets, "facet-fields", "field of facets", "left out", "fields of facets");
     std::size_t renamed = 0, real = 0;
     const auto look = [&](bool held, const std::vector<Field>& fields) {
       for (std::size_t f = 0; held && f < fields.size(); ++f) {
@@ -107,7 +109,7 @@ class LossFinder {
     look(holds_.facet_fields, mesh_.facet_fields);
     add(renamed, "field-names", "field",
         "written as attributes, one per component, that have no names");
-    add(real, "field-types", "field of integers", "written as real numbers");
+    add(real, "field-types", "field of integers", "written as real numbers", "fields of integers");
   }
 
   /// Cell data `group` is said by the groups; two arrays cannot have one name.
@@ -144,7 +146,7 @@ class LossFinder {
       for (std::size_t g = 0; g < groups.size(); ++g)
         if (tags[g] != groups[g].tag) ++renumbered;
     }
-    add(empty, "empty-groups", "group without elements", "left out");
+    add(empty, "empty-groups", "group without elements", "left out", "groups without elements");
     add(joined, "group-names", "group", "joined with another of its name");
     add(renumbered, "group-numbers", "group", "given another integer; the name stays");
   }
@@ -168,7 +170,7 @@ class LossFinder {
     for (const Group& group : groups_of_vertices(mesh_))
       marked.insert(group.elements.begin(), group.elements.end());
     add(mesh_.elements[0].size() - marked.size(), "vertex-elements",
-        "point without a group of its own", "left out");
+        "point without a group of its own", "left out", "points without a group of their own");
   }
 
   void find_numbers() {

@@ -45,6 +45,20 @@ TEST_F(Convert, NamesWhatTheTargetCannotHold) {
   EXPECT_EQ(read("b.mesh").substr(0, 22), "MeshVersionFormatted 2");
 }
 
+TEST_F(Convert, CountsWhatIsLostInTheRightNumber) {
+  std::string two = kVtu;
+  const std::string heat = two.substr(two.find("<PointData>") + 11,
+                                      two.find("</PointData>") - two.find("<PointData>") - 11);
+  std::string cold = heat;
+  cold.replace(cold.find("\"heat\""), 6, "\"cold\"");
+  two.insert(two.find("</PointData>"), cold);
+  write("a.vtu", two);
+  const Outcome outcome = cleave({"convert", "a.vtu", "b.mesh"});
+  EXPECT_EQ(outcome.status, 0);
+  for (const char* part : {"2 fields of points are left out", "1 field of cells is left out"})
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << part << "\n" << outcome.err;
+}
+
 TEST_F(Convert, StrictRefusesALossAndWritesNothing) {
   write("a.vtu", kVtu);
   const Outcome outcome = cleave({"convert", "a.vtu", "b.mesh", "--strict", "--json", "r.json"});
