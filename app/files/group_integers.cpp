@@ -191,17 +191,29 @@ void apply_group_names(Mesh& mesh, const std::filesystem::path& path) {
   for (std::size_t i = 0; i < overlaps.size(); ++i)
     apply_overlap(groups, overlaps[i], place_of("overlaps", i));
   const json& named = list_in(document, "groups", path.string());
+  std::map<std::pair<int, std::int32_t>, std::string> known_groups;
   for (std::size_t i = 0; i < named.size(); ++i) {
     const std::string place = place_of("groups", i);
-    group_of(groups, dimension_in(named[i], place), integer_in(named[i], "tag", place)).name =
-        name_in(named[i], place);
+    const int dimension = dimension_in(named[i], place);
+    const std::int32_t tag = integer_in(named[i], "tag", place);
+    const std::string name = name_in(named[i], place);
+    const auto [known, is_new] = known_groups.try_emplace({dimension, tag}, name);
+    if (!is_new)
+      throw InputError(place + ": dimension " + std::to_string(dimension) + " has tag " +
+                       std::to_string(tag) + " already, '" + known->second +
+                       "'; give each group a tag of its own");
+    group_of(groups, dimension, tag).name = name;
   }
   if (document.contains("cohesive")) {
     const json& cohesive = list_in(document, "cohesive", path.string());
     std::map<std::string, std::string> names;
     for (std::size_t i = 0; i < cohesive.size(); ++i) {
       const std::string place = place_of("cohesive", i);
-      names[std::to_string(integer_in(cohesive[i], "tag", place))] = name_in(cohesive[i], place);
+      const std::string tag = std::to_string(integer_in(cohesive[i], "tag", place));
+      const auto [known, is_new] = names.try_emplace(tag, name_in(cohesive[i], place));
+      if (!is_new)
+        throw InputError(place + ": tag " + tag + " is there already, '" + known->second +
+                         "'; give each name a tag of its own");
     }
     for (std::string& name : mesh.cohesive.names)
       if (const auto known = names.find(name); known != names.end()) name = known->second;

@@ -208,6 +208,13 @@ TEST_F(RoundTrip, AWrongFileOfNamesIsRefused) {
   refuse(R"({"format": "cleave-groups/1", "groups": [],
              "overlaps": [{"dimension": 3, "integer": 3, "groups": ["x"]}]})",
          {"overlaps[0]", "integers"});
+  refuse(R"({"format": "cleave-groups/1", "overlaps": [],
+             "groups": [{"dimension": 3, "tag": 4, "name": "a"},
+                        {"dimension": 3, "tag": 4, "name": "b"}]})",
+         {"groups[1]: dimension 3 has tag 4 already, 'a'"});
+  refuse(R"({"format": "cleave-groups/1", "overlaps": [], "groups": [],
+             "cohesive": [{"tag": 4, "name": "a"}, {"tag": 4, "name": "b"}]})",
+         {"cohesive[1]: tag 4 is there already, 'a'"});
   put("a.mesh.groups.json", good);
   expect_same_content(read_mesh(path("a.mesh")), grouped_mesh());
 }
