@@ -7,11 +7,11 @@
 
 #include "choice.hpp"
 #include "commands.hpp"
+#include "cut_files.hpp"
 #include "error.hpp"
 #include "file_words.hpp"
 #include "losses.hpp"
 #include "mesh_file.hpp"
-#include "output_files.hpp"
 #include "progress.hpp"
 
 namespace cleave::app {
@@ -66,6 +66,7 @@ int convert(const ConvertOptions& options) {
   progress.stage("writing " + options.out);
   OutputFiles files;
   write_mesh(files, options.out, mesh, options.write);
+  remove_record(files, options.out);
   if (!options.json.empty() && options.json != "-")
     files.add(options.json).write(report_json(options, mesh, losses));
   files.commit();
@@ -138,6 +139,7 @@ void add_convert_command(CLI::App& cleave, Action& chosen) {
   command->callback([options, &chosen] {
     refuse_report_onto(options->json, mesh_files(options->in));
     refuse_report_onto(options->json, mesh_files(options->out));
+    refuse_report_onto(options->json, {record_path(options->out).string()});
     chosen = [options] { return convert(*options); };
   });
 }

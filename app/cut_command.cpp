@@ -20,6 +20,8 @@ int run_cut(const CutOptions& options) {
   progress.clear();
   for (const std::string& dropped : source.mesh.dropped) warn(dropped);
   if (source.record && !options.quiet) note(note_on(source));
+  if (!source.record && !options.forget && looks_cut(source.mesh))
+    warn(warning_of_lost_record(source.mesh));
   CutResult result = cut_mesh(source, options, progress);
   progress.clear();
   for (const std::string& warning : result.warnings) warn(warning);

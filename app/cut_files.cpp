@@ -8,7 +8,6 @@
 #include "commands.hpp"
 #include "error.hpp"
 #include "mesh_file.hpp"
-#include "output_files.hpp"
 
 namespace cleave::app {
 namespace {
@@ -24,6 +23,10 @@ void add_reports(OutputFiles& files, const CutAnswer& answer) {
 }
 
 }  // namespace
+
+void remove_record(OutputFiles& files, const std::string& out) {
+  if (!is_special(out)) files.remove(record_path(out));
+}
 
 void require_format(const std::string& out, bool cohesive) {
   const MeshFormat format = output_format_of(out);
@@ -61,8 +64,8 @@ void write_cut(const std::string& out, const Mesh& mesh, IncisionRecord* record,
   }
   if (text)
     files.add(record_path(out)).write(*text);
-  else if (!is_special(out))
-    files.remove(record_path(out));
+  else
+    remove_record(files, out);
   add_reports(files, answer);
   print(answer.text);
   files.commit();

@@ -1,9 +1,14 @@
 #pragma once
 #include <string>
 
+#include "output_files.hpp"
 #include "record.hpp"
 
 namespace cleave::app {
+
+/// The record beside OUT, of the mesh that was there before, is to be gone when the files appear.
+/// Beside a device or a pipe there is none.
+void remove_record(OutputFiles& files, const std::string& out);
 
 /// Throws InputError for a name without a format, or whose format cannot hold what is to be
 /// written: cohesive elements.

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "error.hpp"
 #include "file_words.hpp"
@@ -52,6 +54,24 @@ CutSource read_source(const std::string& path, bool forget) {
                     record, path, source.mesh.dimension));
   source.restored = restore_original(source.record->original, source.mesh, record);
   return source;
+}
+
+bool looks_cut(const Mesh& mesh) {
+  std::set<std::string> names;
+  for (const Group& group : mesh.groups)
+    if (group.dimension == mesh.dimension - 1) names.insert(group.name);
+  const std::string minus = "_minus";
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    return name.size() > minus.size() && name.ends_with(minus) &&
+           names.count(name.substr(0, name.size() - minus.size()) + "_plus") != 0;
+  });
+}
+
+std::string warning_of_lost_record(const Mesh& mesh) {
+  return fmt::format(
+      "{} looks cut before, but {} is missing: it is taken as a new mesh; keep the two files "
+      "together to go on",
+      mesh.source, record_path(mesh.source).string());
 }
 
 std::string note_on(const CutSource& source) {

@@ -22,6 +22,12 @@ struct CutSource {
 /// read, or if the record was not written for these bytes.
 CutSource read_source(const std::string& path, bool forget);
 
+/// Whether the groups of the mesh are those that a cut leaves: facets NAME_minus and NAME_plus.
+bool looks_cut(const Mesh& mesh);
+
+/// What to warn of a mesh without a record that looks cut.
+std::string warning_of_lost_record(const Mesh& mesh);
+
 /// "m.msh: was cut before: 12 facets are opened and 3 shut, says m.msh.cleave.json"
 std::string note_on(const CutSource& source);
 

@@ -116,7 +116,7 @@ std::filesystem::path hashed_path(const std::filesystem::path& mesh_path,
 std::string hashed_suffix(const std::filesystem::path& mesh_path,
                           const std::filesystem::path& file);
 
-/// Where the record of a mesh file is.
+/// Where the record of a mesh file is: beside the file itself, also if `mesh_path` is a link to it.
 std::filesystem::path record_path(const std::filesystem::path& mesh_path);
 
 /// docs/schemas/cleave-incision-1.schema.json. Nothing if a name is not UTF-8, which JSON needs.

@@ -6,6 +6,7 @@
 #include "files/input_text.hpp"
 #include "json_value.hpp"
 #include "record.hpp"
+#include "replace_files.hpp"
 
 namespace cleave::app {
 namespace {
@@ -288,7 +289,7 @@ std::string hashed_suffix(const std::filesystem::path& mesh_path,
 }
 
 std::filesystem::path record_path(const std::filesystem::path& mesh_path) {
-  std::filesystem::path path = mesh_path;
+  std::filesystem::path path = behind_links(mesh_path);
   path += ".cleave.json";
   return path;
 }

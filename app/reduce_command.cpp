@@ -5,11 +5,11 @@
 
 #include "choice.hpp"
 #include "commands.hpp"
+#include "cut_files.hpp"
 #include "cut_output.hpp"
 #include "error.hpp"
 #include "file_words.hpp"
 #include "mesh_file.hpp"
-#include "output_files.hpp"
 #include "progress.hpp"
 #include "reduce_property.hpp"
 #include "sub_mesh.hpp"
@@ -77,6 +77,7 @@ int run_reduce(const ReduceOptions& options) {
   progress.stage("writing " + options.out);
   OutputFiles files;  // both appear, or none
   write_mesh(files, options.out, part.mesh);
+  remove_record(files, options.out);
   if (options.cuts())
     files.add(facets_path(options.out))
         .write(facets_json(cut, reduction.rest, part, numbering_of(options.out)));

@@ -141,10 +141,12 @@ StitchResult stitch_cells(const CutSource& source, const StitchOptions& options,
 StitchResult stitch_mesh(const CutSource& source, const StitchOptions& options,
                          Progress& progress) {
   if (!source.record)
-    throw InputError(fmt::format(
-        "{}: there is no {} beside it, so nothing is known of an earlier cut; `cleave cut` writes "
-        "one with the mesh",
-        options.mesh, record_path(options.mesh).string()));
+    throw InputError(
+        fmt::format("{}: there is no {} beside it, so nothing is known of an earlier cut; {}",
+                    options.mesh, record_path(options.mesh).string(),
+                    looks_cut(source.mesh)
+                        ? "the mesh looks cut before: restore the file, and keep the two together"
+                        : "`cleave cut` writes one with the mesh"));
   if (source.mesh.dimension == 1) return stitch_cells<1>(source, options, progress);
   if (source.mesh.dimension == 2) return stitch_cells<2>(source, options, progress);
   return stitch_cells<3>(source, options, progress);

@@ -309,6 +309,49 @@ TEST_F(Stages, RefuseFormatsWithoutCohesiveElements) {
   }
 }
 
+TEST_F(Stages, KeepTheRecordBesideTheFileThatALinkNames) {
+  normalise(data("fault.msh"), "m.msh");
+  std::filesystem::create_symlink("m.msh", folder_ / "l.msh");
+  done({"cut", "l.msh", "-o", "l.msh", "--group", "fault"});
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "l.msh"));
+  EXPECT_EQ(files(), (std::vector<std::string>{"l.msh", "m.msh", "m.msh.cleave.json"}));
+  done({"cut", "m.msh", "-o", "m.msh", "--group", "branch"});
+  done({"cut", data("fault.msh"), "-o", "once.msh", "--group", "fault", "branch"});
+  expect_same("m.msh", "once.msh");
+  done({"stitch", "l.msh", "-o", "l.msh", "--all"});
+  EXPECT_FALSE(there("m.msh.cleave.json"));
+  normalise(data("fault.msh"), "original.msh");
+  EXPECT_TRUE(read("m.msh") == read("original.msh"));
+}
+
+TEST_F(Stages, OfAMeshThatAnotherCommandReplacesStartAnew) {
+  done({"cut", data("fault.msh"), "-o", "a.msh", "--group", "fault"});
+  done({"convert", data("fault.msh"), "a.msh"});
+  EXPECT_EQ(files(), std::vector<std::string>{"a.msh"});
+  done({"cut", "a.msh", "-o", "b.msh", "--group", "fault"});
+  write("star.mesh", star());
+  done({"reduce", "star.mesh", "-o", "b.msh", "--group", "7", "--expect", "shut"});
+  EXPECT_FALSE(there("b.msh.cleave.json"));
+  done({"cut", "b.msh", "-o", "c.msh", "--all"});
+  EXPECT_EQ(cleave({"convert", "c.msh", "d.msh", "--json", "d.msh.cleave.json"}).status, 2);
+}
+
+TEST_F(Stages, WarnOfALostRecord) {
+  done({"cut", data("fault.msh"), "-o", "a.msh", "--group", "fault"});
+  std::filesystem::rename(folder_ / "a.msh", folder_ / "moved.msh");
+  const Args cut{"cut", "moved.msh", "--dry-run", "--group", "branch"};
+  const std::string warning =
+      "moved.msh looks cut before, but moved.msh.cleave.json is missing: it is taken as a new mesh";
+  const Outcome lost = cleave(cut);
+  EXPECT_EQ(lost.status, 0);
+  EXPECT_NE(lost.err.find(warning), std::string::npos) << lost.err;
+  refused({"stitch", "moved.msh", "-o", "b.msh", "--all"}, "looks cut before: restore the file");
+  std::filesystem::rename(folder_ / "a.msh.cleave.json", folder_ / "moved.msh.cleave.json");
+  EXPECT_EQ(cleave(cut).err.find(warning), std::string::npos);
+  const Outcome whole = cleave({"cut", data("fault.msh"), "--dry-run", "--group", "branch"});
+  EXPECT_EQ(whole.err.find("looks cut"), std::string::npos) << whole.err;
+}
+
 TEST_F(Stages, KeepMovedPointsInTheRecord) {
   done({"cut", data("fault.msh"), "-o", "a.msh", "--group", "fault", "--offset", "0.01"});
   done({"cut", "a.msh", "-o", "ab.msh", "--group", "branch"});
