@@ -32,9 +32,9 @@ OutputFile::OutputFile(const std::filesystem::path& target) : shown_(target) {
   target_ = behind_links(target);
   if (std::filesystem::is_symlink(target_, error)) fail(ELOOP);
   struct stat status {};
-  const bool exists = stat(target_.c_str(), &status) == 0;
+  const bool exists = stat(target.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) fail(EISDIR);
-  if (exists && access(target_.c_str(), W_OK) != 0) fail(errno);
+  if (exists && access(target.c_str(), W_OK) != 0) fail(errno);
   if (exists && !S_ISREG(status.st_mode)) {
     open_in_place();
   } else {
@@ -46,9 +46,10 @@ OutputFile::OutputFile(const std::filesystem::path& target) : shown_(target) {
 
 OutputFile::~OutputFile() { discard(); }
 
+/// By the name as it was given: where /dev/stdout is a pipe, the link ends in no name of a file.
 void OutputFile::open_in_place() {
   in_place_ = true;
-  descriptor_ = uninterrupted([&] { return open(target_.c_str(), O_WRONLY | O_CLOEXEC); });
+  descriptor_ = uninterrupted([&] { return open(shown_.c_str(), O_WRONLY | O_CLOEXEC); });
   if (descriptor_ < 0) fail(errno);
 }
 

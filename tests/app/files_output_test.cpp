@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 
 #include "error.hpp"
@@ -100,6 +101,17 @@ TEST_F(Output, ASymbolicLinkToNothingIsFollowed) {
   EXPECT_TRUE(std::filesystem::is_symlink(path("loop")));
   std::filesystem::create_symlink("nowhere/file", path("lost"));
   EXPECT_NE(writing_error(path("lost")).find("nowhere' does not exist"), std::string::npos);
+}
+
+TEST_F(Output, APipeIsWrittenDirectlyAlsoBehindALink) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  write_file("/proc/self/fd/" + std::to_string(ends[1]), "through");
+  std::array<char, 16> got{};
+  EXPECT_EQ(read(ends[0], got.data(), got.size()), 7);
+  EXPECT_STREQ(got.data(), "through");
+  close(ends[0]);
+  close(ends[1]);
 }
 
 TEST_F(Output, AFolderWithoutNewFilesIsNotCalledMissing) {
