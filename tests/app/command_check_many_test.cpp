@@ -245,7 +245,8 @@ TEST_F(CheckMany, TakesCoincidencesThatACutMadeForMeant) {
   }
   // The point data `parent` says it as well.
   ASSERT_EQ(cleave({"cut", data("fault.msh"), "-o", "open.vtu", "--group", "fault"}).status, 0);
-  for (const json& violation : reports({"open.vtu"}, 0)[0]["violations"])
+  const json carried = reports({"open.vtu"}, 0)[0];
+  for (const json& violation : carried["violations"])
     EXPECT_EQ(violation["severity"], "note") << violation;
 }
 
