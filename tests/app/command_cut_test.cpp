@@ -50,7 +50,9 @@ TEST_F(Cut, OpensTheFacetBetweenTwoTetrahedra) {
   const json r = report({"m.mesh", "-o", "out.mesh", "--facets", "f.json", "--explain"});
   EXPECT_EQ(r["schema"], "cleave-cut/1");
   EXPECT_EQ(r["mesh"], json::parse(R"({"cells":2,"vertices_before":5,"vertices_after":8})"));
-  EXPECT_EQ(r["facets"], json::parse(R"({"requested":1,"opened":1,"shut":0,"not_interior":0,"kept":0,"added":0})"));
+  EXPECT_EQ(
+      r["facets"],
+      json::parse(R"({"requested":1,"opened":1,"shut":0,"not_interior":0,"kept":0,"added":0})"));
   EXPECT_EQ(r["pieces"], json::parse(R"({"before":1,"after":2})"));
   EXPECT_EQ(r["cut_regular"], true);
   EXPECT_EQ(r["pinched_edges"], 0);
@@ -74,7 +76,9 @@ TEST_F(Cut, SaysWhichCellsKeepAFacetShut) {
                         {{1, 2, 3, 5, 0}, {1, 4, 2, 5, 0}, {2, 4, 3, 5, 0}, {1, 3, 4, 5, 0}}));
   write("f.json", R"({"facets": [[1, 2, 5]]})");
   const json r = report({"m.mesh", "-o", "out.vtu", "--facets", "f.json"});
-  EXPECT_EQ(r["facets"], json::parse(R"({"requested":1,"opened":0,"shut":1,"not_interior":0,"kept":0,"added":0})"));
+  EXPECT_EQ(
+      r["facets"],
+      json::parse(R"({"requested":1,"opened":0,"shut":1,"not_interior":0,"kept":0,"added":0})"));
   ASSERT_EQ(r["shut_facets"].size(), 1u);
   EXPECT_EQ(r["shut_facets"][0]["facet"], (std::vector{1, 2, 5}));
   ASSERT_EQ(r["shut_facets"][0]["because"].size(), 3u);
@@ -240,8 +244,9 @@ TEST_F(Cut, LeavesFacetsOnTheBoundaryAloneAndCountsThem) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_NE(outcome.err.find("cleave: warning: m.mesh: 1 facet asked for is on the boundary"),
             std::string::npos);
-  EXPECT_EQ(json::parse(read("r.json"))["facets"],
-            json::parse(R"({"requested":1,"opened":1,"shut":0,"not_interior":1,"kept":0,"added":0})"));
+  EXPECT_EQ(
+      json::parse(read("r.json"))["facets"],
+      json::parse(R"({"requested":1,"opened":1,"shut":0,"not_interior":1,"kept":0,"added":0})"));
 }
 
 TEST_F(Cut, MakesADryRunThatWritesNoMesh) {
