@@ -35,6 +35,16 @@ def as_ids(numbers: ArrayLike, what: str, ndim: int = 2) -> Ids:
     return np.ascontiguousarray(array, dtype=np.uint32)
 
 
+def as_signs(signs: Optional[ArrayLike], cells: Ids) -> NDArray[np.int8]:
+    """One sign per cell, or none at all: all cells as written."""
+    if signs is None:
+        return np.empty(0, np.int8)
+    array = np.ascontiguousarray(signs, dtype=np.int8)
+    if array.shape != (len(cells),):
+        raise ValueError(f"one sign per cell is needed: {len(cells)}, there are {array.size}")
+    return array
+
+
 def vertex_count_of(cells: Ids, vertex_count: Optional[int]) -> int:
     """The number given, or one more than the largest vertex. Vertices that leave most numbers out
     (tags of a file, say) are refused: time and memory go with the largest number."""

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from .arrays import as_ids, vertex_count_of
+from .arrays import as_ids, as_signs, vertex_count_of
 from .errors import Finding
 
 
@@ -33,15 +33,6 @@ class Check(NamedTuple):
                    for finding in self.findings)
 
 
-def _signs(signs: Optional[ArrayLike], cells: NDArray) -> NDArray[np.int8]:
-    if signs is None:
-        return np.empty(0, np.int8)
-    array = np.ascontiguousarray(signs, dtype=np.int8)
-    if array.shape != (len(cells),):
-        raise ValueError(f"one sign per cell is needed: {len(cells)}, there are {array.size}")
-    return array
-
-
 def check(cells: ArrayLike, vertex_count: Optional[int] = None, *,
           signs: Optional[ArrayLike] = None, level: str = "manifold") -> Check:
     """All violations of a mesh, each with a witness.
@@ -53,7 +44,7 @@ def check(cells: ArrayLike, vertex_count: Optional[int] = None, *,
     """
     cells = as_ids(cells, "cells")
     count = vertex_count_of(cells, vertex_count)
-    found, reached = _core.check(cells, count, _signs(signs, cells), level)
+    found, reached = _core.check(cells, count, as_signs(signs, cells), level)
     return Check([Finding(*finding) for finding in found], reached, *_core.summarize(cells, count))
 
 

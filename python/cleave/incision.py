@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from .arrays import Ids, as_ids, half_facets_of, vertex_count_of
-from .checking import _signs, orient
+from .arrays import Ids, as_ids, as_signs, half_facets_of, vertex_count_of
+from .checking import orient
 
 
 @dataclass(frozen=True)
@@ -76,8 +76,7 @@ class Incision:
         if signs is None:
             signs = orient(cells, count)
         self._core, self._regularized = _core.make_incision(
-            cells, count, _signs(signs, cells), regularize)
-        self._given = count
+            cells, count, as_signs(signs, cells), regularize)
 
     @property
     def cells(self) -> Ids:
@@ -116,7 +115,7 @@ class Incision:
     def parents(self) -> Ids:
         """(vertex_count,) the vertex of the mesh given that each vertex is, or is a copy of."""
         parents = self._core.originals()
-        made = np.arange(self._given + len(self._regularized), dtype=np.uint32)
+        made = np.arange(self._core.original_vertex_count, dtype=np.uint32)
         if len(self._regularized):
             made[self._regularized[:, 0]] = self._regularized[:, 1]
         return made[parents]
