@@ -17,7 +17,7 @@ one() {
   done >"$dict"
   # A leak, an input that takes a minute or 2 GB, and whatever a sanitizer says are findings, too.
   if CLEAVE_FUZZ_TARGET=$target TMPDIR=$TMPDIR/$target \
-    LSAN_OPTIONS=suppressions=$here/vtk_leaks.supp:print_suppressions=0 "$build/tests/fuzz/fuzz" \
+    LSAN_OPTIONS=suppressions=$here/../support/vtk_leaks.supp:print_suppressions=0 "$build/tests/fuzz/fuzz" \
     -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -malloc_limit_mb=512 -max_len=8192 \
     -dict="$dict" -artifact_prefix="$found/" -print_final_stats=1 \
     "$work" "$here/corpus/$target" >"$log" 2>&1; then
