@@ -1,6 +1,6 @@
 (* unglue.v : Algorithm 3 as a relabelling; P1-T6_local, T8, T9_pieces, T12, T13.          *)
 From mathcomp Require Import all_ssreflect.
-From Cleave Require Import complex.
+From Cleave Require Export connectivity complex isomorphism relabelling.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -138,20 +138,7 @@ move=> inj v t u vt vu; rewrite -copy_eq; apply/eqP/inj; rewrite ?copyK //.
 by apply/usedP; exists u; exact: mem_copy.
 Qed.
 
-(* T6_local : locality                                                              *)
-Lemma connect_local C v t u :
-  (forall f, f \in C -> v \notin f) ->
-  connect (glue M C) (v, t) (v, u) = connect (glue M set0) (v, t) (v, u).
-Proof.
-move=> off; apply/idP/idP; first exact/connect_subset/sub0set.
-suff H x y : x.1 = v -> connect (glue M set0) x y -> connect (glue M C) x y by exact: H.
-move=> + /connectP[s + ->{y}]; elim: s x => [|z s IHs] x //= xv /andP[xz zs].
-have [/eqP e xi a _] := and4P xz.
-apply: connect_trans (IHs z _ zs); last by rewrite -e.
-apply: connect1; rewrite /glue e eqxx -e xi a; apply: contraL xi => /off.
-by rewrite xv.
-Qed.
-
+(* T6_local : locality *)
 Theorem T6_local C v : cut_regular M -> (forall f, f \in C -> v \notin f) ->
   {in star M v &, forall t u, copy C (v, t) = copy C (v, u)}.
 Proof.
