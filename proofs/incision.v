@@ -19,8 +19,9 @@
 (*             Incision::cut.  Opened facets need not be named again.         *)
 (*  across s F == the two sides of an opened facet of F have these vertices,  *)
 (*             copies of one original; Merging::across in stitch.cpp.         *)
-(*   merge s F == the vertex that stays of those that become one; VertexUnions*)
-(*  stitch s F == every present vertex w becomes merge s F w, and F is scored *)
+(* stays s F w == the vertex that stays of those that become one with w;      *)
+(*             VertexUnions::stays.                                           *)
+(*  stitch s F == every present vertex w becomes stays s F w, and F is scored *)
 (*             no longer; Incision::stitch.                                   *)
 (*  sound s == two corners share a vertex now iff a chain of facets that are  *)
 (*             not scored joins them: the partition is that of unglue.        *)
@@ -104,18 +105,18 @@ move=> /connectP[p + ->{w'}]; elim: p w => [|z p IHp] w //= /andP[/acrossP wz /I
 by case: wz => v [t [u [_ _ _ _ [-> ->]]]]; rewrite !labelK.
 Qed.
 
-Definition merge (w : names s) : names s := root across w.
+Definition stays (w : names s) : names s := root across w.
 
-Lemma merge_eq w w' : (merge w == merge w') = connect across w w'.
+Lemma stays_eq w w' : (stays w == stays w') = connect across w w'.
 Proof. exact/root_connect/across_sym. Qed.
 
-Lemma stitch_labelK x : parent s (merge (label s x)) = x.1.
+Lemma stitch_labelK x : parent s (stays (label s x)) = x.1.
 Proof. by rewrite -(parent_across (connect_root _ _)) labelK. Qed.
 
 Definition stitch : incision := Incision stitch_labelK (scored s :\: F).
 
 (* A stitch merges vertices of the complex as it is now.                      *)
-Lemma now_stitch t : now stitch t = merge @: now s t.
+Lemma now_stitch t : now stitch t = stays @: now s t.
 Proof. by rewrite [RHS]/= -imset_comp. Qed.
 
 End Stitch.
@@ -161,7 +162,7 @@ Qed.
 
 Lemma sound_stitch s F : sound s -> sound (stitch s F).
 Proof.
-move=> ok x y cx cy; rewrite /= merge_eq.
+move=> ok x y cx cy; rewrite /= stays_eq.
 have up_ok a b : corner M a -> corner M b -> label s a = label s b ->
     connect (glue M (scored s :\: F)) a b.
   by move=> ca cb /eqP; rewrite ok //; apply: connect_subset; exact: subsetDl.
@@ -306,3 +307,5 @@ by apply: isomorphic_regular; apply: isomorphic_trans j; exact: isomorphic_sym.
 Qed.
 
 End Incision.
+Arguments parent {V T} i _.
+Arguments label {V T} i _.
