@@ -14,6 +14,8 @@ constexpr std::array kTargets{
     Target{"tetgen", [](Bytes bytes) { fuzz_mesh(".ele", Keeps::cells, bytes); }},
     Target{"abaqus", [](Bytes bytes) { fuzz_mesh(".inp", Keeps::cells, bytes); }},
     Target{"request", fuzz_request},
+    Target{"record", fuzz_record},
+    Target{"config", fuzz_config},
     Target{"scene", fuzz_scene},
     Target{"topology", fuzz_topology},
 };
