@@ -259,6 +259,50 @@ def split_tetrahedron(folder):
     drawing.write(folder, "split-tetrahedron")
 
 
+def glue(folder):
+    """Figure 6: the corners at a vertex, those that are glued, and a copy for each class."""
+    cells = [(0, i, i % 6 + 1) for i in range(1, 7)]
+    cut = {frozenset((0, 1)), frozenset((0, 3))}
+    least = classes(cells, cut)
+    at_0 = [least[0, c] for c in range(6)]
+    assert copies(cells, cut, 0) == 2 and opened(cells, cut) == cut
+    colours = {at_0[0]: WRONG, at_0[2]: GREEN}
+    drawing = Drawing(620, 330)
+    for panel, words in ((0, "six corners at 0, two classes"), (1, "a copy of 0 for each class")):
+        x, y = 155 + 310 * panel, 150
+        places = {0: (x, y)}
+        for i in range(6):
+            angle = math.radians(60 * i + 30)
+            places[i + 1] = (x + 122 * math.cos(angle), y - 122 * math.sin(angle))
+        if panel == 1:
+            at = draw_cut(drawing, cells, places, cut, 0.16)
+            for name, p in sorted(at.items()):
+                drawing.dot(p, colours.get(name, INK), 6 if name in colours else 3)
+                if name[0] == 0:
+                    drawing.text((p[0], p[1] + (25 if p[1] > y else -13)), 0 if name == min(colours) else 7,
+                                 size=16)
+                elif copies(cells, cut, name[0]) == 1:
+                    drawing.text(outside(p, (x, y), 15), name[0], size=16)
+        else:
+            for cell in cells:
+                drawing.polygon([places[v] for v in cell], CELL, EDGE, 2)
+            for facet in sorted(cut, key=sorted):
+                drawing.line([places[v] for v in sorted(facet)], SHUT, 3.4, "7 5")
+            spot = [towards(places[0], middle(places[v] for v in cell), 0.48) for cell in cells]
+            for facet, own in sorted(sides(cells).items(), key=lambda item: sorted(item[0])):
+                if len(own) == 2 and 0 in facet and facet not in cut:
+                    drawing.line([spot[c] for c in own], colours[at_0[own[0]]], 2.4)
+            for c in range(6):
+                drawing.dot(spot[c], colours[at_0[c]], 6)
+                place = towards(places[0], middle(places[v] for v in cells[c]), 1.12)
+                drawing.text((place[0], place[1] + 5), c, QUIET, 14, slanted=True)
+            drawing.dot(places[0], INK, 4)
+            for v in range(1, 7):
+                drawing.text(outside(places[v], (x, y), 15), v, size=16)
+        drawing.text((x, 318), words, QUIET)
+    drawing.write(folder, "glue")
+
+
 def figure_8(folder):
     """Two triangles that share a vertex and no facet; the empty cut."""
     cells = [(0, 1, 2), (0, 3, 4)]
@@ -577,7 +621,7 @@ def first_step(folder):
 
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
-    for draw in (figure_7, split_tetrahedron, figure_8, strip, lemma_1, branching, equation_1, supports,
+    for draw in (figure_7, split_tetrahedron, glue, figure_8, strip, lemma_1, branching, equation_1, supports,
                  hinge, torus, moebius, first_step):
         draw(folder)
 

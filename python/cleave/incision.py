@@ -61,7 +61,7 @@ class Incision:
 
     Those that opened are boundary now; those that are shut open later, when their rim is released.
     The state depends on the mesh and the scored set alone, not on the order of steps (theorems T8
-    and T12 of docs/theorems.md).
+    and T12 of proofs/CLAIMS.md).
 
     cells: (n, D+1) vertices from 0; they are copied once. vertex_count: see `check`. signs: +1 or -1
     per cell; default: computed (see `orient`). regularize: whether a vertex around which the cells

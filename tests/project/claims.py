@@ -223,6 +223,17 @@ def complaints(root, proofs):
     return found, rows
 
 
+def stale_snippets(page, proofs):
+    """What the text of docs/correctness.md quotes from the proofs and they do not hold."""
+    squeeze = lambda text: " ".join(text.split())
+    held = [squeeze(without_coq_comments(read(os.path.join(proofs, name))))
+            for name in os.listdir(proofs) if name.endswith(".v")]
+    quoted = re.findall(r"^```coq\n(.*?)^```$", page, re.DOTALL | re.MULTILINE)
+    statements = [line for block in quoted for line in re.split(r"\.\n", block) if line.strip()]
+    return [f"docs/correctness.md quotes what no proof holds: {squeeze(line)}" for line in statements
+            if not any(squeeze(line) in text for text in held)]
+
+
 def stale_pictures(proofs):
     """The pictures that their script would draw otherwise."""
     with tempfile.TemporaryDirectory() as folder:
@@ -323,6 +334,8 @@ def faults_that_pass(root, proofs, rows):
         substitute(os.path.join("pictures", "strip.svg"), "<circle ", "<circle  ")(copy)
         if not stale_pictures(copy):
             yield "the check lets pass: a picture that its script does not draw"
+    if not stale_snippets("```coq\nDefinition corner := 0.\n```\n", proofs):
+        yield "the check lets pass: a definition quoted wrongly"
     for what, expected, act in spoilings(rows):
         if "prints" in what and not os.path.isfile(os.path.join(proofs, "assumptions.v")):
             continue
@@ -339,6 +352,8 @@ def main():
     proofs = os.path.join(root, "proofs")
     found, rows = complaints(root, proofs)
     found += stale_pictures(proofs)
+    page = read(os.path.join(root, "docs", "correctness.md"))
+    found += stale_snippets(page, proofs)
     if not found:
         found = list(faults_that_pass(root, proofs, rows))
     for line in found:
