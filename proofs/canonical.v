@@ -1,34 +1,41 @@
-(* canonical.v : the numbering of vertices that every writer uses (T12).      *)
-(*                                                                            *)
-(* While an incision lives, its vertex ids are handles: a new copy gets the   *)
-(* least free id.  So two sequences of cuts with the same scored set may end  *)
-(* with different ids.  Say a mesh has vertices 0 .. 9.  If cut A comes first *)
-(* and then cut B, the copy that A opens is 10 and that of B is 11; if B      *)
-(* comes first, it is the other way round.  The partition of the corners into *)
-(* vertices, however, does not depend on the order (T12_alone), so names made *)
-(* of the partition and of the original numbers alone do not either.          *)
-(*                                                                            *)
-(*      rank x == the number of corner x; any that is injective will do.      *)
-(*       lab x == the vertex of corner x after some cuts.  Corners that share *)
-(*                one had the same vertex before (the hypothesis lab_parent). *)
-(*     least x == the least corner of the vertex of x; Complex::a_corner.     *)
-(*     first x == the least corner of the vertex that x had before any cut.   *)
-(*      kept x == the vertex of x holds the least corner of its original.  It *)
-(*                keeps the number of the original; the others are copies.    *)
-(*      copies == the least corners of the copies, ascending by the original  *)
-(*                vertex, and by the least corner if that is the same.        *)
-(* canonical x == the number of the vertex of x: if it is kept, that of its   *)
-(*                original; the copies follow in their order, from the number *)
-(*                of original vertices on; canonical in incision.cpp.         *)
-(* canonical_complex s == the complex of the incision s with these numbers as *)
-(*                vertices, so what a writer writes.                          *)
-(*  handed lab == the ids lab come from those of the original by cuts and     *)
-(*                stitches: a corner that is the least of its vertex before   *)
-(*                and after keeps its id, as Ungluing::commit has it for a    *)
-(*                cut, and VertexUnions for a stitch.                         *)
-(* corner_number o == the library's rank: (n + 1) * cell + local index.       *)
+(******************************************************************************)
+(* The numbering of vertices that every writer uses (T12). While an incision  *)
+(* lives, its vertex ids are handles: a new copy gets the least free id. So   *)
+(* two sequences of cuts with the same scored set may end with different ids. *)
+(* Say that a mesh has the vertices 0 to 9. If cut A comes first, then cut B, *)
+(* the copy that A opens is 10 and that of B is 11; if B comes first, it is   *)
+(* the other way round. But the partition of the corners into vertices does   *)
+(* not depend on the order (T12_alone), so neither do names that are made of  *)
+(* the partition and the original numbers alone: each vertex is named by its  *)
+(* least corner.                                                              *)
+(*              rank x == the number of the corner x, see corner_number       *)
+(*               lab x == the vertex of the corner x after some cuts; corners *)
+(*                        that share one shared one at the start (lab_home)   *)
+(*         least lab x == the least corner of the vertex of x;                *)
+(*                        Complex::a_corner                                   *)
+(*             first x == the least corner of the vertex x had at the start   *)
+(*          kept lab x == the vertex of x holds first x. It keeps the number  *)
+(*                        of the original; the others are copies.             *)
+(*          copies lab == the least corners of the copies, ascending by the   *)
+(*                        original vertex, then by themselves                 *)
+(*     canonical lab x == the number of the vertex of x: that of the original *)
+(*                        if it is kept; the copies follow in their order,    *)
+(*                        from the number of original vertices on;            *)
+(*                        canonical of incision.cpp                           *)
+(* canonical_complex s == the complex of the incision s with these numbers for*)
+(*                        vertices: what is written                           *)
+(*          handed lab == the ids lab come from those of the start by cuts and*)
+(*                        stitches in which a corner that is the least of its *)
+(*                        vertex before and after keeps its id, as            *)
+(*                        Ungluing::commit has it for a cut and VertexUnions  *)
+(*                        for a stitch                                        *)
+(*     corner_number o == (n + 1) * cell + local index, the C++ CornerId; o   *)
+(*                        lists the vertices of each cell as the file does    *)
+(* The rank may be any injective one: canonical files then differ from one    *)
+(* rank to another, but never between two ways to the same scored set.        *)
+(******************************************************************************)
 From mathcomp Require Import all_ssreflect.
-From Cleave Require Import complex unglue orientation incision.
+From Cleave Require Import complex isomorphism relabelling orientation incision.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -38,35 +45,8 @@ Variables (n : nat) (V T : finType) (M : complex n V T) (rank : V * T -> nat).
 Hypothesis rank_inj : {in corner M &, injective rank}.
 Implicit Types (v : V) (t u : T) (x y z : V * T).
 
-(* The least corner that satisfies P is the only one that is least.           *)
-Lemma arg_min_corner (P : pred (V * T)) x y :
-  {subset P <= corner M} -> P x -> P y -> (forall z, P z -> rank y <= rank z) ->
-  [arg min_(z < x | P z) rank z] = y.
-Proof.
-move=> sP Px Py min; case: arg_minnP => // z Pz zmin.
-by apply: rank_inj; [exact: sP | exact: sP | apply/eqP; rewrite eqn_leq zmin ?min].
-Qed.
-
-Definition first x := [arg min_(y < x | corner M y && (y.1 == x.1)) rank y].
-
-Lemma firstP x : corner M x -> [/\ corner M (first x), (first x).1 = x.1 &
-  forall y, corner M y -> y.1 = x.1 -> rank (first x) <= rank y].
-Proof.
-move=> cx; rewrite /first; case: arg_minnP => [|y /andP[cy /eqP e] min]; first by rewrite cx /=.
-by split=> // z cz ez; apply: min; rewrite cz ez eqxx.
-Qed.
-
-Lemma first_eq x y : corner M x -> corner M y -> x.1 = y.1 -> first x = first y.
-Proof.
-move=> cx cy e; have [cf ef min] := firstP cy.
-apply: arg_min_corner => [z /andP[]||| z /andP[cz /eqP ez]] //; first by rewrite cx /=.
-  by rewrite cf ef e /=.
-by apply: min => //; rewrite ez.
-Qed.
-
-Section Names.
+Section Least.
 Variables (W : eqType) (lab : V * T -> W).
-Hypothesis lab_parent : {in corner M &, forall x y, lab x = lab y -> x.1 = y.1}.
 
 Definition least x := [arg min_(y < x | corner M y && (lab y == lab x)) rank y].
 
@@ -80,10 +60,8 @@ Qed.
 Lemma least_unique x y : corner M x -> corner M y -> lab y = lab x ->
   (forall z, corner M z -> lab z = lab x -> rank y <= rank z) -> least x = y.
 Proof.
-move=> cx cy e min; apply: arg_min_corner => [z /andP[]||| z /andP[cz /eqP]] //.
-- by rewrite cx /=.
-- by rewrite cy e /=.
-- exact: min.
+move=> cx cy e min; have [cl el lmin] := leastP cx.
+by apply: rank_inj => //; apply/eqP; rewrite eqn_leq lmin ?min.
 Qed.
 
 Lemma least_eq x y : corner M x -> corner M y -> (least x == least y) = (lab x == lab y).
@@ -94,15 +72,24 @@ by apply: least_unique => // [|z cz ez]; [rewrite e | apply: min => //; rewrite 
 Qed.
 
 Lemma least_least x : corner M x -> least (least x) = least x.
-Proof.
-move=> cx; have [cl el _] := leastP cx.
-by apply/eqP; rewrite least_eq // el.
-Qed.
+Proof. by move=> cx; have [cl el _] := leastP cx; apply/eqP; rewrite least_eq // el. Qed.
+
+End Least.
+
+Definition first := least fst.
+
+Lemma first_eq x y : corner M x -> corner M y -> x.1 = y.1 -> first x = first y.
+Proof. by move=> cx cy e; apply/eqP; rewrite least_eq // e. Qed.
+
+Section Names.
+Variables (W : eqType) (lab : V * T -> W).
+Hypothesis lab_home : {in corner M &, forall x y, lab x = lab y -> x.1 = y.1}.
+Local Notation least := (least lab).
 
 Definition kept x := lab (first x) == lab x.
 
 Lemma kept_eq x y : corner M x -> corner M y -> lab x = lab y -> kept x = kept y.
-Proof. by move=> cx cy e; rewrite /kept e (first_eq cx cy) //; exact: lab_parent. Qed.
+Proof. by move=> cx cy e; rewrite /kept e (first_eq cx cy) //; exact: lab_home. Qed.
 
 Definition precedes y z :=
   (enum_rank y.1 < enum_rank z.1) || (y.1 == z.1) && (rank y <= rank z).
@@ -118,7 +105,7 @@ Lemma copies_uniq : uniq copies. Proof. by rewrite sort_uniq enum_uniq. Qed.
 
 Lemma least_copies x : corner M x -> (least x \in copies) = ~~ kept x.
 Proof.
-move=> cx; have [cl el _] := leastP cx.
+move=> cx; have [cl el _] := leastP lab cx.
 by rewrite mem_copies cl least_least // eqxx (kept_eq cl cx el).
 Qed.
 
@@ -133,7 +120,7 @@ Theorem T12_canonical_injective x y : corner M x -> corner M y ->
   (canonical x == canonical y) = (lab x == lab y).
 Proof.
 move=> cx cy; apply/eqP/eqP => [|e]; last first.
-  rewrite /canonical (kept_eq cx cy e) (lab_parent cx cy e).
+  rewrite /canonical (kept_eq cx cy e) (lab_home cx cy e).
   by have /eqP-> : least x == least y by rewrite least_eq // e.
 have lt v k : (enum_rank v : nat) = #|V| + k -> False.
   by move=> e; have := ltn_ord (enum_rank v); rewrite e -ltn_subRL subnn.
@@ -148,12 +135,12 @@ Qed.
 Theorem T12_canonical_whole x : corner M x ->
   (forall y, corner M y -> y.1 = x.1 -> lab y = lab x) -> canonical x = enum_rank x.1.
 Proof.
-move=> cx whole; have [cf ef _] := firstP cx.
+move=> cx whole; have [cf ef _] := leastP fst cx.
 by rewrite /canonical /kept (whole _ cf ef) eqxx.
 Qed.
 
-(* T12: of a vertex that is split, the part with its least corner keeps the   *)
-(* number.                                                                    *)
+(* T12: of a vertex that is split, the part with its least corner keeps the
+   number.                                                                    *)
 Theorem T12_canonical_first x : corner M x ->
   (canonical x == enum_rank x.1 :> nat) = (lab x == lab (first x)).
 Proof.
@@ -169,7 +156,7 @@ move=> all; split=> [|[x cx <-]]; last exact: canonical_lt.
 have [lt _|le] := ltnP i #|V|.
   pose v := enum_val (Ordinal lt); have /usedP[t vt] : v \in used M by rewrite all inE.
   have cx : corner M (v, t) by [].
-  have [cf ef _] := firstP cx; exists (first (v, t)) => //.
+  have [cf ef _] := leastP fst cx; exists (first (v, t)) => //.
   by rewrite /canonical /kept (first_eq cf cx) // eqxx ef enum_valK.
 rewrite -{1}(subnKC le) ltn_add2l => lt.
 have [c _] : exists c, c \in copies by case: copies lt => // c s _; exists c; rewrite inE eqxx.
@@ -178,8 +165,8 @@ rewrite mem_copies => /and3P[cy /eqP ly /negbTE ky]; exists y => //.
 by rewrite /canonical ky ly index_uniq ?copies_uniq // subnKC.
 Qed.
 
-(* T12: copies come in the order of their originals, and of their least       *)
-(* corners if they have the same original.                                    *)
+(* T12: copies come in the order of their originals, and of their least
+   corners if they have the same original.                                    *)
 Theorem T12_canonical_order x y : corner M x -> corner M y ->
   ~~ kept x -> ~~ kept y -> canonical x < canonical y -> precedes (least x) (least y).
 Proof.
@@ -209,7 +196,7 @@ Theorem T12_canonical_partition (W W' : eqType) (lab : V * T -> W) (lab' : V * T
 Proof.
 move=> same x cx.
 have kE y : corner M y -> kept lab y = kept lab' y.
-  by move=> cy; have [cf _ _] := firstP cy; rewrite /kept same.
+  by move=> cy; have [cf _ _] := leastP fst cy; rewrite /kept same.
 have lE y : corner M y -> least lab y = least lab' y.
   move=> cy; have [cl el min] := leastP lab' cy.
   apply: least_unique => // [|z cz /eqP ez]; first by apply/eqP; rewrite same // el.
@@ -229,12 +216,12 @@ Inductive handed : (V * T -> I) -> Prop :=
     (forall x, corner M x -> least lab x = x -> least lab' x = x -> lab' x = lab x) ->
     {in corner M &, forall x y, lab' x = lab' y -> x.1 = y.1} -> handed lab'.
 
-(* T12: at all times the part of v with its least corner has the id of v      *)
-(* itself, so the writer may tell copies from originals by their ids.         *)
+(* T12: at all times the part of v with its least corner has the id of v
+   itself, so the writer may tell copies from originals by their ids.         *)
 Theorem T12_handles lab : injective id_of -> handed lab ->
   {in corner M, forall x, kept lab x = (lab x == id_of x.1)}.
 Proof.
-move=> id_inj h x cx; have [cf ef min] := firstP cx.
+move=> id_inj h x cx; have [cf ef min] := leastP fst cx.
 have own l : {in corner M &, forall y z, l y = l z :> I -> y.1 = z.1} ->
     least l (first x) = first x.
   move=> lp; apply: least_unique => // z cz e.
@@ -246,19 +233,19 @@ by split; [apply: keep => //; exact: own | exact: own].
 Qed.
 End Handles.
 
-(* The canonical numbers of an incision; file_id x is that of x, in a type that *)
-(* has room for those of every incision.                                      *)
+(* The canonical numbers of an incision, in a type that has room for those of
+   every incision: file_id x is that of the vertex of x.                      *)
 Section State.
 Variable s : incision V T.
 Let number := canonical (label s).
 Let bound := #|V| + #|{: V * T}|.
 
-Lemma label_parent : {in corner M &, forall x y, label s x = label s y -> x.1 = y.1}.
-Proof. by move=> x y _ _ /(congr1 (parent s)); rewrite !labelK. Qed.
+Lemma label_home : {in corner M &, forall x y, label s x = label s y -> x.1 = y.1}.
+Proof. by move=> x y _ _ /(congr1 (original s)); rewrite !labelK. Qed.
 
 Lemma number_inj x y : corner M x -> corner M y ->
   (number x == number y) = (label s x == label s y).
-Proof. exact/T12_canonical_injective/label_parent. Qed.
+Proof. exact/T12_canonical_injective/label_home. Qed.
 
 Lemma size_copies : size (copies (label s)) <= #|{: V * T}|.
 Proof. by rewrite -(card_uniqP (copies_uniq _)) max_card. Qed.
@@ -266,7 +253,7 @@ Proof. by rewrite -(card_uniqP (copies_uniq _)) max_card. Qed.
 Definition file_id x : 'I_bound.+1 := inord (number x).
 Lemma val_file_id x : corner M x -> file_id x = number x :> nat.
 Proof.
-move=> cx; rewrite inordK // ltnS (leq_trans (ltnW (canonical_lt label_parent cx))) //.
+move=> cx; rewrite inordK // ltnS (leq_trans (ltnW (canonical_lt label_home cx))) //.
 by rewrite leq_add2l size_copies.
 Qed.
 
@@ -279,7 +266,7 @@ Definition canonical_cell t := [set file_id (v, t) | v in M t].
 Lemma card_canonical_cell t : #|canonical_cell t| = n.+1.
 Proof.
 rewrite card_in_imset ?card_vertices // => v w vt wt /eqP.
-by rewrite file_id_eq // => /eqP/label_parent; exact.
+by rewrite file_id_eq // => /eqP/label_home; exact.
 Qed.
 
 Lemma canonical_cell_inj : injective canonical_cell.
@@ -306,30 +293,30 @@ exists f => [w w'|t].
 by rewrite /= /relabelled -imset_comp; apply: eq_in_imset => v vt /=; rewrite fE.
 Qed.
 
-(* T12: if every original vertex is one of a cell, the numbers of the k       *)
-(* vertices are 0 to k - 1.                                                   *)
+(* T12: if every original vertex is one of a cell, the numbers of the k
+   vertices are 0 to k - 1.                                                   *)
 Theorem T12_canonical_count i : used M = setT ->
   i < #|used (now M s)| <-> exists2 x, corner M x & number x = i.
 Proof.
-move=> all; rewrite -(T12_canonical_range label_parent) //.
-rewrite (isomorphic_used T12_canonical_isomorphic).
+move=> all; rewrite -(T12_canonical_range label_home) //.
+rewrite -(isomorphic_card T12_canonical_isomorphic).
 suff -> : #|used canonical_complex| = #|V| + size (copies (label s)) by [].
 have le : #|V| + size (copies (label s)) <= bound.+1.
   by rewrite leqW // leq_add2l size_copies.
 have inj : injective (widen_ord le) by move=> j k /(congr1 val) /= /ord_inj.
 rewrite -[RHS]card_ord -(card_imset _ inj).
 apply: eq_card => j; apply/usedP/imsetP => [[t /imsetP[v vt ->]]|[k _ ->]].
-  have lt := canonical_lt label_parent (vt : (v, t) \in corner M).
+  have lt := canonical_lt label_home (vt : (v, t) \in corner M).
   by exists (Ordinal lt) => //; apply: ord_inj; rewrite val_file_id.
-have [[v t] vt e] := (T12_canonical_range label_parent k all).1 (ltn_ord k).
+have [[v t] vt e] := (T12_canonical_range label_home k all).1 (ltn_ord k).
 exists t; apply/imsetP; exists v => //.
 by apply: ord_inj; rewrite val_file_id.
 Qed.
 
 End State.
 
-(* T12: equal scored sets give equal complexes, number for number, whatever   *)
-(* was cut and stitched before, in whatever order.                            *)
+(* T12: equal scored sets give equal complexes, number for number, whatever
+   was cut and stitched before, in whatever order.                            *)
 Theorem T12_canonical s s' : sound M s -> sound M s' -> scored s = scored s' ->
   {in corner M, canonical (label s) =1 canonical (label s')} /\
   canonical_complex s =1 canonical_complex s'.
@@ -341,8 +328,8 @@ split=> // t; apply: eq_in_imset => v vt.
 by rewrite /file_id same.
 Qed.
 
-Corollary T12_canonical_run ops ops' : cut_regular M ->
-  let s := run M (start V T) ops in let s' := run M (start V T) ops' in
+Corollary T12_canonical_run steps steps' : cut_regular M ->
+  let s := run M (start V T) steps in let s' := run M (start V T) steps' in
   scored s = scored s' -> canonical_complex s =1 canonical_complex s'.
 Proof. by move=> r s s' /T12_canonical[||//]; exact/sound_run/sound_start. Qed.
 
