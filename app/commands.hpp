@@ -14,6 +14,7 @@ namespace cleave::app {
 
 using Action = std::function<int()>;
 
+void add_certify_command(CLI::App& cleave, Action& chosen);
 void add_check_command(CLI::App& cleave, Action& chosen);
 void add_convert_command(CLI::App& cleave, Action& chosen);
 void add_cut_command(CLI::App& cleave, Action& chosen);

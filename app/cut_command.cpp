@@ -32,6 +32,7 @@ int run_cut(const CutOptions& options) {
     said.fix_it_file = options.fix_it;
     said.fix_it = fix_it_file(result.report);
   }
+  add_certificate(said, options.certificate, std::move(result.certificate));
   if (options.dry_run) {
     write_answer(said);
   } else {
@@ -151,6 +152,10 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
       ->option_text("WHAT");
   cut->add_option("--json", options->json, "Write the report to this file; - is standard output")
       ->option_text("FILE");
+  cut->add_option("--certificate", options->certificate,
+                  "Write the cells before and after and the facets, for `cleave certify`; - is "
+                  "standard output")
+      ->option_text("FILE");
   cut->add_flag("--quiet", options->quiet, "No progress bar and no summary");
   cut->footer(
       "Exit status: 0 done; 1 a facet stays shut and --require-open is given; 2 wrong usage;\n"
@@ -179,6 +184,8 @@ void add_cut_command(CLI::App& cleave, Action& chosen) {
     refuse_report_onto(o.json, files);
     files.push_back(o.json);
     refuse_report_onto(o.fix_it, files, "--fix-it");
+    files.push_back(o.fix_it);
+    refuse_certificate(o.certificate, files, o.json);
     chosen = [options] { return run_cut(*options); };
   });
 }

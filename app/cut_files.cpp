@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <CLI/Error.hpp>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "commands.hpp"
 #include "error.hpp"
@@ -20,6 +22,16 @@ bool is_special(const std::filesystem::path& path) {
 void add_reports(OutputFiles& files, const CutAnswer& answer) {
   if (!answer.json_file.empty()) files.add(answer.json_file).write(answer.json);
   if (!answer.fix_it_file.empty()) files.add(answer.fix_it_file).write(answer.fix_it);
+  if (!answer.certificate || answer.certificate_file == "-") return;
+  OutputFile& file = files.add(answer.certificate_file);
+  write_certificate(*answer.certificate, [&](std::string_view text) { file.write(text); });
+}
+
+void print_answer(const CutAnswer& answer) {
+  if (answer.certificate && answer.certificate_file == "-")
+    write_certificate(*answer.certificate, [](std::string_view text) { print(std::string(text)); });
+  else
+    print(answer.text);
 }
 
 }  // namespace
@@ -41,10 +53,23 @@ CutAnswer answer(const std::string& json_option, std::string json, std::string t
   return {json_option, std::move(json), quiet ? "" : std::move(text)};
 }
 
+void add_certificate(CutAnswer& answer, const std::string& file,
+                     std::optional<Certificate> certificate) {
+  answer.certificate_file = file;
+  answer.certificate = std::move(certificate);
+}
+
+void refuse_certificate(const std::string& certificate, const std::vector<std::string>& files,
+                        const std::string& json) {
+  if (certificate == "-" && json == "-")
+    throw CLI::ValidationError("--certificate", "--json has standard output already");
+  refuse_report_onto(certificate, files, "--certificate");
+}
+
 void write_answer(const CutAnswer& answer) {
   OutputFiles files;
   add_reports(files, answer);
-  print(answer.text);
+  print_answer(answer);
   files.commit();
 }
 
@@ -67,7 +92,7 @@ void write_cut(const std::string& out, const Mesh& mesh, IncisionRecord* record,
   else
     remove_record(files, out);
   add_reports(files, answer);
-  print(answer.text);
+  print_answer(answer);
   files.commit();
 }
 

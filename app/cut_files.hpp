@@ -1,6 +1,9 @@
 #pragma once
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "certificate.hpp"
 #include "output_files.hpp"
 #include "record.hpp"
 
@@ -14,16 +17,27 @@ void remove_record(OutputFiles& files, const std::string& out);
 /// written: cohesive elements.
 void require_format(const std::string& out, bool cohesive);
 
-/// What a command says of a cut: `json` and `fix_it` to files of these names, if they have any, and
-/// `text` to standard output.
+/// What a command says of a cut: `json`, `fix_it` and `certificate` to files of these names, if
+/// they have any, and `text` to standard output.
 struct CutAnswer {
   std::string json_file, json, text;
   std::string fix_it_file = {}, fix_it = {};
+  std::string certificate_file = {};  // "-": standard output, instead of `text`
+  std::optional<Certificate> certificate = {};
 };
 
 /// An answer: with --json - it is the JSON that goes to standard output, else, unless `quiet`, the
 /// text. `json_option` is the argument of --json, or empty.
 CutAnswer answer(const std::string& json_option, std::string json, std::string text, bool quiet);
+
+/// Adds a certificate to an answer, for the file of this name; "-" is standard output.
+void add_certificate(CutAnswer& answer, const std::string& file,
+                     std::optional<Certificate> certificate);
+
+/// Throws CLI::ValidationError if a certificate cannot go where --certificate says: onto one of
+/// `files`, or to standard output together with the JSON.
+void refuse_certificate(const std::string& certificate, const std::vector<std::string>& files,
+                        const std::string& json);
 
 /// Writes what a dry run writes. Throws OutputError.
 void write_answer(const CutAnswer& answer);

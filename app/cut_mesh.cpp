@@ -235,6 +235,8 @@ CutResult cut_cells(const CutSource& source, const CutOptions& options, Progress
     output = output_of(state, numbering_of(target));
     if (options.verify == topology::Verify::all) certify(state, output.mesh);
     require_level(options, state, output.mesh);
+    if (!options.certificate.empty())
+      result.certificate = certificate_of(state, output.mesh, target);
     if (!options.dry_run) result.record = record_of(state, output, target);
   } catch (const topology::InvariantBroken& e) {
     const auto path = (options.out.empty() ? "cleave" : options.out) + ".reproducer.json";

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "certificate.hpp"
 #include "cleave/cutting/select.hpp"
 #include "cleave/topology/unglue.hpp"
 #include "cleave/topology/violation.hpp"
@@ -27,13 +28,15 @@ struct CutOptions {
   bool forget = false;                     // the record beside the mesh
   std::optional<topology::Level> require;  // of the result
   bool require_by_cutting = false;         // further facets; else refuse
-  std::string json, fix_it;
+  std::string json, fix_it, certificate;
 };
 
-/// What a cut made: the mesh for OUT, its record without the hashes, and the report.
+/// What a cut made: the mesh for OUT, its record without the hashes, the certificate if it is asked
+/// for, and the report.
 struct CutResult {
   Mesh mesh;
   IncisionRecord record;
+  std::optional<Certificate> certificate;
   CutReport report;
   std::vector<std::string> warnings;
 };

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -15,18 +14,6 @@
 
 namespace cleave::app {
 namespace {
-
-// A file, or standard input for the name "-".
-InputText request_text(const std::filesystem::path& path) {
-  if (path != "-") return InputText(path);
-  std::string bytes;
-  std::array<char, 1 << 16> block;
-  for (std::size_t count = 0; (count = std::fread(block.data(), 1, block.size(), stdin)) > 0;)
-    bytes.append(block.data(), count);
-  if (std::ferror(stdin) != 0 || bytes.empty())
-    throw InputError("standard input: there is nothing to be read from it");
-  return {"standard input", bytes};
-}
 
 nlohmann::json parse_file(const InputText& text) { return parse_json(text.bytes(), text.source()); }
 
@@ -85,7 +72,7 @@ cutting::Sweep<2> read_polyline(const JsonValue& polyline) {
 }  // namespace
 
 std::vector<std::uint32_t> read_facets(const std::filesystem::path& path, const Mesh& mesh) {
-  const InputText text = request_text(path);
+  const InputText text = input_at(path);
   const auto json = parse_file(text);
   const JsonValue document(json, text.source());
   document.only({"facets"});
@@ -113,7 +100,7 @@ std::vector<std::uint32_t> read_facets(const std::filesystem::path& path, const 
 
 template <int D>
 cutting::Sweep<D> read_sweep(const std::filesystem::path& path) {
-  const InputText text = request_text(path);
+  const InputText text = input_at(path);
   const auto json = parse_file(text);
   const JsonValue document(json, text.source());
   if constexpr (D == 2) {

@@ -8,6 +8,7 @@
 #include "cleave/topology/certify.hpp"
 #include "cohesive.hpp"
 #include "error.hpp"
+#include "file_numbers.hpp"
 #include "offset.hpp"
 
 namespace cleave::app {
@@ -117,6 +118,47 @@ void certify(const CutState<D>& state, const Mesh& out) {
   if (rejection) throw topology::InvariantBroken("not certified: " + describe(*rejection));
 }
 
+namespace {
+
+// The `numbers` of these vertices, as a certificate holds them.
+std::vector<std::uint32_t> numbered(const std::vector<std::uint32_t>& vertices,
+                                    const std::vector<std::uint64_t>& numbers,
+                                    const std::string& source) {
+  std::vector<std::uint32_t> result;
+  result.reserve(vertices.size());
+  for (const std::uint32_t v : vertices) {
+    if (numbers[v] > UINT32_MAX)
+      throw InputError(
+          fmt::format("{}: there is a vertex number {}, and a certificate holds numbers up to {} "
+                      "only; renumber the vertices, or leave out --certificate",
+                      source, numbers[v], UINT32_MAX));
+    result.push_back(static_cast<std::uint32_t>(numbers[v]));
+  }
+  return result;
+}
+
+}  // namespace
+
+template <int D>
+Certificate certificate_of(const CutState<D>& state, const Mesh& out,
+                           const std::filesystem::path& path) {
+  const Mesh& original = *state.body.mesh;
+  std::vector<std::uint32_t> facets;
+  for (const HalfFacetId h : state.incision.scored().half_facets())
+    for (int i = 0; i <= D; ++i) {
+      const CornerId corner = topology::half_facet<D>(topology::cell_of<D>(h), i);
+      if (corner != h) facets.push_back(original.cells().vertices[corner.value]);
+    }
+  Certificate certificate;
+  certificate.dimension = D;
+  certificate.before =
+      numbered(original.cells().vertices, original.vertex_numbers, original.source);
+  certificate.cut = numbered(facets, original.vertex_numbers, original.source);
+  certificate.after =
+      numbered(out.cells().vertices, numbers_in(out, format_of(path), {}).vertices, path.string());
+  return certificate;
+}
+
 template <int D>
 IncisionRecord record_of(const CutState<D>& state, const CutOutput& output,
                          const std::filesystem::path& path) {
@@ -168,6 +210,8 @@ std::vector<std::uint64_t> Shown<D>::by_place() const {
   template void resume<D>(CutState<D>&, const CutSource&);                   \
   template CutOutput output_of<D>(const CutState<D>&, Numbering);            \
   template void certify<D>(const CutState<D>&, const Mesh&);                 \
+  template Certificate certificate_of<D>(const CutState<D>&, const Mesh&,    \
+                                         const std::filesystem::path&);      \
   template IncisionRecord record_of<D>(const CutState<D>&, const CutOutput&, \
                                        const std::filesystem::path&);        \
   template class Shown<D>;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "body.hpp"
+#include "certificate.hpp"
 #include "cleave/topology/incision.hpp"
 #include "cut_output.hpp"
 #include "cut_source.hpp"
@@ -53,6 +54,13 @@ CutOutput output_of(const CutState<D>& state, Numbering numbering);
 /// nothing else (T11: from the file as it was, regularisation included). Throws InvariantBroken.
 template <int D>
 void certify(const CutState<D>& state, const Mesh& out);
+
+/// The state as a certificate: the original, the scored facets and `out`, in the numbers that these
+/// have in their files; `out` is to be written to `path`. Throws InputError for numbers that a
+/// certificate cannot hold.
+template <int D>
+Certificate certificate_of(const CutState<D>& state, const Mesh& out,
+                           const std::filesystem::path& path);
 
 /// The record of a state whose mesh is `output`, to be written to `path`. The hashes are left
 /// empty.

@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
   add_convert_command(cleave, chosen);
   add_cut_command(cleave, chosen);
   add_stitch_command(cleave, chosen);
+  add_certify_command(cleave, chosen);
   add_info_command(cleave, chosen);
   add_run_command(cleave, chosen);
   add_reduce_command(cleave, chosen);

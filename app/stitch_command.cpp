@@ -20,8 +20,9 @@ int run_stitch(const StitchOptions& options) {
   StitchResult result = stitch_mesh(source, options, progress);
   progress.clear();
   for (const std::string& warning : result.warnings) warn(warning);
-  const CutAnswer said = answer(options.json, json_of(result.report),
-                                text_of(result.report, options.mesh), options.quiet);
+  CutAnswer said = answer(options.json, json_of(result.report),
+                          text_of(result.report, options.mesh), options.quiet);
+  add_certificate(said, options.certificate, std::move(result.certificate));
   if (options.dry_run) {
     write_answer(said);
     return kFine;
@@ -71,6 +72,11 @@ void add_stitch_command(CLI::App& cleave, Action& chosen) {
       ->option_text("WHAT");
   stitch->add_option("--json", options->json, "Write the report to this file; - is standard output")
       ->option_text("FILE");
+  stitch
+      ->add_option("--certificate", options->certificate,
+                   "Write the original cells, the facets that are cut still and the cells after, "
+                   "for `cleave certify`; - is standard output")
+      ->option_text("FILE");
   stitch->add_flag("--quiet", options->quiet, "No progress bar and no summary");
   stitch->footer(
       "Exit status: 0 done; 2 wrong usage; 3 the input is missing, unreadable or invalid for the\n"
@@ -82,9 +88,16 @@ void add_stitch_command(CLI::App& cleave, Action& chosen) {
     if (out->count() == 0 && dry_run->count() == 0)
       throw CLI::RequiredError("-o OUT (or --dry-run)");
     const StitchOptions& o = *options;
-    refuse_report_onto(
-        o.json, {o.mesh, o.out, o.facets, groups_path(o.mesh).string(), groups_path(o.out).string(),
-                 record_path(o.mesh).string(), record_path(o.out).string()});
+    std::vector<std::string> files{o.mesh,
+                                   o.out,
+                                   o.facets,
+                                   groups_path(o.mesh).string(),
+                                   groups_path(o.out).string(),
+                                   record_path(o.mesh).string(),
+                                   record_path(o.out).string()};
+    refuse_report_onto(o.json, files);
+    files.push_back(o.json);
+    refuse_certificate(o.certificate, files, o.json);
     chosen = [options] { return run_stitch(*options); };
   });
 }

@@ -129,6 +129,7 @@ StitchResult stitch_cells(const CutSource& source, const StitchOptions& options,
     result.mesh = std::move(output.mesh);
   }
   if (options.verify == topology::Verify::all) certify(state, result.mesh);
+  if (!options.certificate.empty()) result.certificate = certificate_of(state, result.mesh, target);
   report.cells = source.mesh.cells().size();
   report.vertices_before = source.mesh.points.size();
   report.vertices_after = result.mesh.points.size();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "certificate.hpp"
 #include "cleave/topology/unglue.hpp"
 #include "cut_source.hpp"
 #include "progress.hpp"
@@ -18,7 +19,7 @@ struct StitchOptions {
   std::vector<std::string> groups;  // as they were asked for, or with _minus, _plus, _shut
   bool all = false, dry_run = false, quiet = false;
   topology::Verify verify = topology::Verify::touched;
-  std::string json;
+  std::string json, certificate;
 };
 
 /// All that `cleave stitch` has to say. Numbers are those of MESH unless said otherwise.
@@ -38,7 +39,8 @@ struct StitchReport {
 
 struct StitchResult {
   Mesh mesh;
-  std::optional<IncisionRecord> record;  // without the hashes; none: nothing is scored any more
+  std::optional<IncisionRecord> record;    // without the hashes; none: nothing is scored any more
+  std::optional<Certificate> certificate;  // if it is asked for
   StitchReport report;
   std::vector<std::string> warnings;
 };

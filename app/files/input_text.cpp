@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <system_error>
 
@@ -104,6 +106,17 @@ void InputText::fail_format(const std::string& expected) const {
   std::string message = "this is not " + expected;
   if (!found.empty()) message += "; it looks like " + std::string(found);
   fail(begin(), message + ". The extension must name the format of the content");
+}
+
+InputText input_at(const std::filesystem::path& path) {
+  if (path != "-") return InputText(path);
+  std::string bytes;
+  std::array<char, 1 << 16> block;
+  for (std::size_t count = 0; (count = std::fread(block.data(), 1, block.size(), stdin)) > 0;)
+    bytes.append(block.data(), count);
+  if (std::ferror(stdin) != 0 || bytes.empty())
+    throw InputError("standard input: there is nothing to be read from it");
+  return {"standard input", bytes};
 }
 
 bool is_gzip_name(const std::filesystem::path& path) {

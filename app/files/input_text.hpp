@@ -41,6 +41,9 @@ class InputText {
   std::size_t size_ = 0;
 };
 
+/// The text of a file, or of standard input for the name "-". Throws InputError.
+InputText input_at(const std::filesystem::path& path);
+
 /// True if the extension of `path` is `.gz` or `.GZ`.
 bool is_gzip_name(const std::filesystem::path& path);
 

@@ -103,6 +103,23 @@ TEST_F(Schema, AllowsTheConfigurationsThatCheckTakes) {
   }
 }
 
+TEST_F(Schema, HoldsForVerdictsOnCertificates) {
+  write("m.mesh", two_tetrahedra());
+  cleave({"cut", "m.mesh", "--all", "--dry-run", "--certificate", "c.cert"});
+  EXPECT_EQ(cleave({"certify", "c.cert", "--json", "verdict.json"}).out, "accepted\n");
+  expect_valid("cleave-certify-1", "verdict.json");
+  json verdict = json::parse(read("verdict.json"));
+  verdict["accepted"] = false;
+  expect_invalid("cleave-certify-1", verdict.dump());
+  const std::string text = read("c.cert");
+  const std::string rows = text.substr(0, text.rfind("\nend\n"));
+  for (const std::string& after : {rows.substr(0, rows.rfind(' ')) + " 1", rows + "\n1 2 3 4"}) {
+    write("c.cert", after + "\nend\n");
+    EXPECT_EQ(cleave({"certify", "c.cert", "--json", "verdict.json"}).status, 1);
+    expect_valid("cleave-certify-1", "verdict.json");
+  }
+}
+
 TEST_F(Schema, HoldsForCutReports) {
   write("m.mesh", medit({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {1, 1, 1}}, {},
                         {{1, 2, 3, 5, 0}, {1, 4, 2, 5, 0}, {2, 4, 3, 5, 0}, {1, 3, 4, 5, 0}}));

@@ -13,9 +13,34 @@
 namespace cleave::topology {
 namespace {
 
+using Clause = Rejection::Clause;
+
 template <int D>
 VertexId at(std::span<const Cell<D>> cells, CornerId corner) {
   return cells[cell_of<D>(corner).value][static_cast<std::size_t>(local_index<D>(corner))];
+}
+
+/// All corners, sorted by their vertex.
+template <int D>
+std::vector<std::pair<VertexId, CornerId>> corners_by_vertex(std::span<const Cell<D>> cells) {
+  std::vector<std::pair<VertexId, CornerId>> by_vertex;
+  by_vertex.reserve(cells.size() * (D + 1));
+  for (std::uint32_t c = 0; c < cells.size() * (D + 1); ++c)
+    by_vertex.emplace_back(at<D>(cells, CornerId{c}), CornerId{c});
+  std::sort(by_vertex.begin(), by_vertex.end());
+  return by_vertex;
+}
+
+/// Names two corners of one vertex of which `differ` holds, if there are any. Only neighbours in
+/// `by_vertex` are looked at, which is enough where "do not differ" is an equivalence.
+template <class Corners, class Differ>
+std::optional<Rejection> reject_if(Clause clause, const Corners& by_vertex, Differ differ) {
+  for (std::size_t n = 1; n < by_vertex.size(); ++n) {
+    const CornerId one = by_vertex[n - 1].second, other = by_vertex[n].second;
+    if (by_vertex[n - 1].first == by_vertex[n].first && differ(one, other))
+      return Rejection{clause, one, other};
+  }
+  return std::nullopt;
 }
 
 struct MatePair {
@@ -50,6 +75,23 @@ std::vector<MatePair> mates_by_sorting(std::span<const Cell<D>> cells) {
   return mates;
 }
 
+/// The mates that are not in the cut.
+template <int D>
+std::vector<MatePair> uncut_mates(std::span<const Cell<D>> cells,
+                                  std::span<const HalfFacetId> cut) {
+  std::vector<HalfFacetId> sorted_cut(cut.begin(), cut.end());
+  std::sort(sorted_cut.begin(), sorted_cut.end());
+  const auto in_cut = [&](HalfFacetId h) {
+    return std::binary_search(sorted_cut.begin(), sorted_cut.end(), h);
+  };
+  std::vector<MatePair> mates = mates_by_sorting<D>(cells);
+  mates.erase(
+      std::remove_if(mates.begin(), mates.end(),
+                     [&](const MatePair& pair) { return in_cut(pair.one) || in_cut(pair.other); }),
+      mates.end());
+  return mates;
+}
+
 /// Calls visit(corner, corner) for the two corners at each vertex that the mates share before the
 /// cut.
 template <int D, class Visit>
@@ -65,17 +107,22 @@ void for_shared_vertices(std::span<const Cell<D>> before, MatePair mates, Visit 
 
 }  // namespace
 
+std::string_view name(Clause clause) {
+  constexpr std::array<std::string_view, 4> kNames{"cells", "parent", "uncut", "connected"};
+  return kNames[static_cast<std::size_t>(clause)];
+}
+
 std::string describe(const Rejection& rejection) {
   const std::string corners = " (corners " + std::to_string(rejection.one.value) + " and " +
                               std::to_string(rejection.other.value) + ")";
   switch (rejection.clause) {
-    case Rejection::Clause::not_comparable:
+    case Clause::cells:
       return "the numbers of cells differ";
-    case Rejection::Clause::no_parent:
+    case Clause::parent:
       return "two corners share a vertex that come from different vertices" + corners;
-    case Rejection::Clause::uncut_mates_apart:
+    case Clause::uncut:
       return "a facet that is not in the cut came apart at a vertex" + corners;
-    case Rejection::Clause::class_not_connected:
+    case Clause::connected:
       return "two corners share a vertex that no chain of uncut facets connects" + corners;
   }
   return "";
@@ -84,45 +131,31 @@ std::string describe(const Rejection& rejection) {
 template <int D>
 std::optional<Rejection> certify(std::span<const Cell<D>> before, std::span<const HalfFacetId> cut,
                                  std::span<const Cell<D>> after) {
-  using Clause = Rejection::Clause;
-  if (before.size() != after.size()) return Rejection{Clause::not_comparable};
+  if (before.size() != after.size()) return Rejection{Clause::cells};
   require_ids_suffice(D, before.size(), 0);
 
-  // (b), and the classes of corners that (c) is about.
-  std::vector<HalfFacetId> sorted_cut(cut.begin(), cut.end());
-  std::sort(sorted_cut.begin(), sorted_cut.end());
-  const auto in_cut = [&](HalfFacetId h) {
-    return std::binary_search(sorted_cut.begin(), sorted_cut.end(), h);
-  };
-  const std::size_t corner_count = before.size() * (D + 1);
-  std::vector<std::uint32_t> rank(corner_count, 0), parent(corner_count);
-  boost::disjoint_sets<std::uint32_t*, std::uint32_t*> classes(rank.data(), parent.data());
-  for (std::uint32_t c = 0; c < corner_count; ++c) classes.make_set(c);
-  std::optional<Rejection> rejection;
-  for (const MatePair mates : mates_by_sorting<D>(before)) {
-    if (in_cut(mates.one) || in_cut(mates.other)) continue;
-    for_shared_vertices<D>(before, mates, [&](CornerId one, CornerId other) {
-      classes.union_set(one.value, other.value);
-      if (!rejection && at<D>(after, one) != at<D>(after, other))
-        rejection = Rejection{Clause::uncut_mates_apart, one, other};
-    });
-  }
+  const auto by_vertex = corners_by_vertex<D>(after);
+  auto rejection = reject_if(Clause::parent, by_vertex, [&](CornerId one, CornerId other) {
+    return at<D>(before, one) != at<D>(before, other);
+  });
   if (rejection) return rejection;
 
-  // (a) and (c): corners that share a vertex after the cut shared it before and are one class.
-  std::vector<std::pair<VertexId, CornerId>> by_vertex;
-  by_vertex.reserve(corner_count);
-  for (std::uint32_t c = 0; c < corner_count; ++c)
-    by_vertex.emplace_back(at<D>(after, CornerId{c}), CornerId{c});
-  std::sort(by_vertex.begin(), by_vertex.end());
-  for (std::size_t n = 1; n < by_vertex.size(); ++n) {
-    if (by_vertex[n - 1].first != by_vertex[n].first) continue;
-    const CornerId one = by_vertex[n - 1].second, other = by_vertex[n].second;
-    if (at<D>(before, one) != at<D>(before, other)) return Rejection{Clause::no_parent, one, other};
-    if (classes.find_set(one.value) != classes.find_set(other.value))
-      return Rejection{Clause::class_not_connected, one, other};
-  }
-  return std::nullopt;
+  // The classes of corners that chains of uncut facets connect are what the last clause is about.
+  const std::vector<MatePair> mates = uncut_mates<D>(before, cut);
+  std::vector<std::uint32_t> rank(by_vertex.size(), 0), parent(by_vertex.size());
+  boost::disjoint_sets<std::uint32_t*, std::uint32_t*> classes(rank.data(), parent.data());
+  for (std::uint32_t c = 0; c < by_vertex.size(); ++c) classes.make_set(c);
+  for (const MatePair& pair : mates)
+    for_shared_vertices<D>(before, pair, [&](CornerId one, CornerId other) {
+      classes.union_set(one.value, other.value);
+      if (!rejection && at<D>(after, one) != at<D>(after, other))
+        rejection = Rejection{Clause::uncut, one, other};
+    });
+  if (rejection) return rejection;
+
+  return reject_if(Clause::connected, by_vertex, [&](CornerId one, CornerId other) {
+    return classes.find_set(one.value) != classes.find_set(other.value);
+  });
 }
 
 #define CLEAVE_INSTANTIATE(D)                   \
