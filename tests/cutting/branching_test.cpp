@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "bodies.hpp"
 #include "cleave/cutting/select.hpp"
+#include "cleave/support/reference.hpp"
 #include "cleave/topology/assemble.hpp"
 #include "cleave/topology/check.hpp"
 #include "cleave/topology/pieces.hpp"
@@ -73,6 +76,45 @@ TEST(NearestVertexBranching, ThreeTrianglesMeetInSpace) {
   Complex<3> cut = k;
   topology::unglue(cut, chosen, topology::Verify::all);
   EXPECT_EQ(topology::pieces(cut).count, 3u);
+}
+
+/// Whether more than two chosen facets meet in a ridge.
+bool branches(const bodies::Body<3>& body, const topology::FacetSet& chosen) {
+  const auto facets = chosen.half_facets();
+  for (const auto& [ridge, degree] :
+       support::ridge_degrees<3>(body.k.cells(), {facets.begin(), facets.end()}))
+    if (degree > 2) return true;
+  return false;
+}
+
+// How often: of 100 planes in general position through disturbed grids, by how much these are
+// disturbed, in edges.
+TEST(NearestVertexBranching, IsTheMoreCommonTheMoreUnevenTheCells) {
+  int last = 0;
+  for (const double jitter : {0.1, 0.2, 0.3}) {
+    bodies::Rng rng(2000);
+    int nearest = 0, dual = 0;
+    for (int run = 0; run < 100; ++run) {
+      const auto body = bodies::jittered<3>({9, 9, 9}, 1, jitter, rng);
+      const double a = rng.unit() - 0.5, b = rng.unit() - 0.5, c = 3.5 + rng.unit();
+      const auto at = [&](double x, double y) {
+        return Point<3>{x, y, c + a * (x - 4) + b * (y - 4)};
+      };
+      const std::vector<std::array<Point<3>, 3>> plane{{at(-90, -90), at(90, -90), at(0, 150)}};
+      const auto select = [&](Rule rule) {
+        return Selector<3>(body.k, body.points, {rule, Ties::by_id}).select(plane);
+      };
+      nearest += branches(body, select(Rule::nearest_vertex)) ? 1 : 0;
+      dual += branches(body, select(Rule::dual_edge)) ? 1 : 0;
+    }
+    std::printf(
+        "grids disturbed by %.1f: of 100 planes nearest-vertex branches along %d, "
+        "dual-edge along %d\n",
+        jitter, nearest, dual);
+    EXPECT_GE(nearest, last);
+    last = nearest;
+  }
+  EXPECT_GT(last, 0);
 }
 
 }  // namespace
