@@ -137,7 +137,7 @@ class Drawing:
         self.rows.append(f'<polygon points="{at}" fill="{fill}"{see} stroke="{stroke}" '
                          f'stroke-width="{width}" stroke-linejoin="round"/>')
 
-    def line(self, points, colour, width=1.5, dash="", curved=False):
+    def line(self, points, colour, width=1.5, dash=""):
         at = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
         dashes = f' stroke-dasharray="{dash}"' if dash else ""
         self.rows.append(f'<polyline points="{at}" fill="none" stroke="{colour}" stroke-width="{width}" '
@@ -365,7 +365,7 @@ def lemma_1(folder):
         assert len(chosen) == 4 and len({abs(h) for h in heights}) > 1
         left = 320 * panel
         y = lambda h: 140 - 100 * float(h)
-        xs = (80, 150, 220, 280) if panel == 0 else (165, 70, 170, 270)
+        xs = (80, 150, 220, 280) if panel == 0 else (165, 70, 170, 260)
         places = [(left + x, y(h)) for x, h in zip(xs, heights)]
         if panel == 0:
             places = [(left + 90, y(1)), (left + 235, y(half)), (left + 245, y(-1)), (left + 75, y(-half))]
@@ -431,38 +431,41 @@ def branching(folder):
 
 
 def equation_1(folder):
-    """A small rotation of one cell, and the forces that the printed equation answers with."""
-    points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
-    rotated = [(-y, x, 0) for x, y, _ in points]  # e3 cross p
+    """The printed equation: a rotation of the unit cell produces forces; a sheared cell is not symmetric."""
+    unit = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    rotated = [(-y, x, 0) for x, y, _ in unit]  # e3 cross p
     lame = (Fraction(1), Fraction(1))
-    printed = cell_forces(points, rotated, lame, mended=False)
-    assert printed == [[Fraction(1, 3), Fraction(-1, 3), 0], [0, Fraction(1, 3), 0], [Fraction(-1, 3), 0, 0],
-                       [0, 0, 0]]
-    assert all(x == 0 for force in cell_forces(points, rotated, lame, mended=True) for x in force)
+    third = Fraction(1, 3)
+    printed = cell_forces(unit, rotated, lame, mended=False)
+    assert printed == [[third, -third, 0], [0, third, 0], [-third, 0, 0], [0, 0, 0]]
+    assert all(x == 0 for force in cell_forces(unit, rotated, lame, mended=True) for x in force)
+    sheared = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 0, 1)]
+    only = lambda axis: [[0, 0, 0], [int(i == axis) for i in range(3)], [0, 0, 0], [0, 0, 0]]
+    along_x, along_y = (cell_forces(sheared, only(axis), lame, mended=False)[1] for axis in (0, 1))
+    assert along_x[1] == Fraction(-1, 2) and along_y[0] == Fraction(-1, 6)
+    along_x, along_y = (cell_forces(sheared, only(axis), lame, mended=True)[1] for axis in (0, 1))
+    assert along_x[1] == along_y[0]
+
     drawing = Drawing(520, 280)
     place = lambda p: (200 + 190 * p[0] - 100 * p[1], 170 + 30 * p[0] + 70 * p[1] - 130 * p[2])
-    drawing.polygon([place(points[v]) for v in (1, 2, 3)], CELL, "none", 0, 0.6)
-    for a, b in combinations(range(4), 2):
-        drawing.line([place(points[a]), place(points[b])], INK if 0 not in (a, b) else QUIET, 1.5,
-                     "4 4" if 0 in (a, b) else "")
-    for p, u, f in zip(points, rotated, printed):
-        end = place([float(x) + 0.42 * float(y) for x, y in zip(p, u)])
+    drawing.polygon([place(unit[v]) for v in (1, 2, 3)], CELL, "none", 0, 0.6)
+    for i, j in combinations(range(4), 2):
+        hidden = 0 in (i, j)
+        drawing.line([place(unit[i]), place(unit[j])], QUIET if hidden else INK, 1.5, "4 4" if hidden else "")
+    for p, u, f in zip(unit, rotated, printed):
         if any(u):
-            drawing.arrow(place(p), end, GREEN, 2.2)
+            drawing.arrow(place(p), place([x + 0.42 * y for x, y in zip(p, u)]), GREEN, 2.2)
         if any(f):
-            wide = place([float(x) + 1.1 * float(y) for x, y in zip(p, f)])
-            shift = (0, 7) if any(u) else (0, 0)
-            drawing.arrow(tuple(a + b for a, b in zip(place(p), shift)),
-                          tuple(a + b for a, b in zip(wide, shift)), WRONG, 2.6)
-    for v, p in enumerate(points):
-        drawing.dot(place(p), INK, 3.5)
-        x, y = place(p)
-        shift = {0: (-10, -8), 1: (14, -6), 2: (-14, -6), 3: (0, -10)}[v]
-        drawing.text((x + shift[0], y + shift[1]), v, size=16)
-    drawing.arrow((340, 42), (380, 42), GREEN, 2.2)
-    drawing.text((388, 47), "displacement", INK, 14, anchor="start")
-    drawing.arrow((340, 66), (380, 66), WRONG, 2.6)
-    drawing.text((388, 71), "force as printed", INK, 14, anchor="start")
+            shift = 7 if any(u) else 0
+            start, end = place(p), place([float(x + Fraction(11, 10) * y) for x, y in zip(p, f)])
+            drawing.arrow((start[0], start[1] + shift), (end[0], end[1] + shift), WRONG, 2.6)
+    for v, beside in enumerate(((-10, -8), (14, -6), (-14, -6), (0, -10))):
+        x, y = place(unit[v])
+        drawing.dot((x, y), INK, 3.5)
+        drawing.text((x + beside[0], y + beside[1]), v, size=16)
+    for y, colour, words in ((42, GREEN, "displacement"), (66, WRONG, "force as printed")):
+        drawing.arrow((340, y), (380, y), colour, 2.4)
+        drawing.text((388, y + 5), words, INK, 14, anchor="start")
     drawing.write(folder, "equation-1")
 
 
@@ -575,9 +578,8 @@ def moebius(folder):
         corner = places[i:i + 3]
         drawing.polygon(corner, CELL, "#ffffff", 1.4)
         centre = middle(corner)
-        turn = 1
-        ring = [(centre[0] + 14 * math.cos(turn * 2 * math.pi * k / 24), centre[1] + 14 * math.sin(turn * 2 * math.pi * k / 24))
-                for k in range(3, 22)]
+        turns = [2 * math.pi * k / 24 for k in range(3, 22)]
+        ring = [(centre[0] + 14 * math.cos(a), centre[1] + 14 * math.sin(a)) for a in turns]
         drawing.line(ring, DARK, 1.6)
         drawing.arrow(ring[-2], ring[-1], DARK, 1.6, 7)
     for ends in (places[:2], places[5:]):
