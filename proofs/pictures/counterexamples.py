@@ -126,7 +126,7 @@ def cell_forces(points, displacements, lame, mended):
 # ---- how it is drawn -------------------------------------------------------------------------------
 
 class Drawing:
-    """Shapes, in pixels; y grows downwards."""
+    """Shapes; y grows downwards. Shown at three quarters of this size, for cells of a table."""
 
     def __init__(self, width, height):
         self.width, self.height, self.rows = width, height, []
@@ -168,7 +168,7 @@ class Drawing:
     def write(self, folder, name):
         with open(os.path.join(folder, name + ".svg"), "w", encoding="utf-8") as out:
             out.write(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {self.width} {self.height}" '
-                      f'width="{self.width}" height="{self.height}" font-family="sans-serif">\n'
+                      f'width="{self.width * 3 // 4}" height="{self.height * 3 // 4}" font-family="sans-serif">\n'
                       f'<rect width="{self.width}" height="{self.height}" fill="#ffffff"/>\n'
                       + "\n".join(self.rows) + "\n</svg>\n")
 
