@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -206,6 +207,70 @@ TEST(PaperCube, IterationsGrowWithTheMeshUnlessTheToleranceIsLoose) {
       EXPECT_GT(means[2], 1.2 * means[1]);
     }
   }
+}
+
+/// A number that counts what is done with it.
+struct Counted {
+  double value = 0.0;
+  static inline long operations = 0;
+  friend Counted operator+(Counted a, Counted b) {
+    return ++operations, Counted{a.value + b.value};
+  }
+  friend Counted operator-(Counted a, Counted b) {
+    return ++operations, Counted{a.value - b.value};
+  }
+  friend Counted operator*(Counted a, Counted b) {
+    return ++operations, Counted{a.value * b.value};
+  }
+};
+using Counted3x3 = std::array<std::array<Counted, 3>, 3>;
+
+Counted3x3 product(const Counted3x3& a, const Counted3x3& b) {
+  Counted3x3 c;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
+  return c;
+}
+
+/// Equation (1), mended, from displacements of the four vertices to what is added to their forces;
+/// `gradients` is X^-1 times the square root of the volume.
+void add_cell_forces(const Counted3x3& gradients, const std::array<std::array<Counted, 3>, 4>& u,
+                     std::array<std::array<Counted, 3>, 4>& f) {
+  const Counted lambda{1.0}, mu{1.0}, twice_mu{2.0};
+  Counted3x3 edges, transposed;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      edges[i][j] = u[j + 1][i] - u[0][i];
+      transposed[i][j] = gradients[j][i];
+    }
+  const Counted3x3 e = product(edges, gradients);
+  const Counted pressure = lambda * (e[0][0] + e[1][1] + e[2][2]);
+  Counted3x3 stress;
+  for (std::size_t i = 0; i < 3; ++i) {
+    stress[i][i] = twice_mu * e[i][i] + pressure;
+    for (std::size_t j = 0; j < i; ++j) stress[i][j] = stress[j][i] = mu * (e[i][j] + e[j][i]);
+  }
+  const Counted3x3 forces = product(stress, transposed);
+  for (std::size_t i = 0; i < 3; ++i) {
+    f[0][i] = f[0][i] - (forces[i][0] + forces[i][1] + forces[i][2]);
+    for (std::size_t j = 0; j < 3; ++j) f[j + 1][i] = f[j + 1][i] + forces[i][j];
+  }
+}
+
+// "A 1 Gflop/second computer would have a theoretical peak performance of approximately 1500
+// iterations per second for a 1000 node cube."
+TEST(PaperCube, OneIterationIsAsManyOperationsAsThePaperSays) {
+  std::array<std::array<Counted, 3>, 4> u{}, f{};
+  Counted::operations = 0;
+  add_cell_forces({}, u, f);
+  const long per_cell = Counted::operations;
+  constexpr long kCells = 6 * 9 * 9 * 9, kCoordinates = 3 * 1000;
+  constexpr long kPerCoordinate = 10;  // two dot products and three sums x + a y
+  const long iteration = kCells * per_cell + kCoordinates * kPerCoordinate;
+  std::printf("%ld operations per cell, %ld per iteration: %.0f iterations per second\n", per_cell,
+              iteration, 1e9 / static_cast<double>(iteration));
+  EXPECT_NEAR(1e9 / static_cast<double>(iteration), 1500.0, 250.0);
 }
 
 }  // namespace
