@@ -24,13 +24,14 @@
 (*                        canonical of incision.cpp                           *)
 (* canonical_complex s == the complex of the incision s with these numbers for*)
 (*                        vertices: what is written                           *)
+(*      keeps lab lab' == a corner that is the least of its vertex both before*)
+(*                        and after a cut or a stitch keeps its id, as        *)
+(*                        Ungluing::commit and VertexUnions have it           *)
 (*          handed lab == the ids lab come from those of the start by cuts and*)
-(*                        stitches in which a corner that is the least of its *)
-(*                        vertex before and after keeps its id, as            *)
-(*                        Ungluing::commit has it for a cut and VertexUnions  *)
-(*                        for a stitch                                        *)
+(*                        stitches that keep ids in this way                  *)
 (*     corner_number o == (n + 1) * cell + local index, the C++ CornerId; o   *)
 (*                        lists the vertices of each cell as the file does    *)
+(*             row o s == the rows of numbers that are written, cell by cell  *)
 (* The rank may be any injective one: canonical files then differ from one    *)
 (* rank to another, but never between two ways to the same scored set.        *)
 (******************************************************************************)
@@ -206,14 +207,17 @@ rewrite /copies; congr (sort _ _); apply: eq_enum => y; rewrite !inE.
 by case cy: (corner M y) => //=; rewrite kE // lE.
 Qed.
 
-(* Ids as handles, of any type.                                               *)
+(* Ids while an incision lives, of any type.                                  *)
 Section Handles.
 Variables (I : eqType) (id_of : V -> I).
+Implicit Types lab : V * T -> I.
+
+Definition keeps lab lab' :=
+  forall x, corner M x -> least lab x = x -> least lab' x = x -> lab' x = lab x.
 
 Inductive handed : (V * T -> I) -> Prop :=
 | at_start : handed (fun x => id_of x.1)
-| handed_on lab lab' : handed lab ->
-    (forall x, corner M x -> least lab x = x -> least lab' x = x -> lab' x = lab x) ->
+| handed_on lab lab' : handed lab -> keeps lab lab' ->
     {in corner M &, forall x y, lab' x = lab' y -> x.1 = y.1} -> handed lab'.
 
 (* T12: at all times the part of v with its least corner has the id of v
@@ -230,6 +234,24 @@ suff [e _] : lab (first x) = id_of x.1 /\ least lab (first x) = first x by rewri
 elim: h => [|l l' _ [<- ll] keep lp].
   by rewrite ef; split=> //; apply: own => y z _ _ /id_inj.
 by split; [apply: keep => //; exact: own | exact: own].
+Qed.
+
+(* T12: to take the latest cut back gives the very ids from before it: lab
+   before the cut, lab' after it, lab2 after the stitch.                      *)
+Theorem T12_handles_undo lab lab' lab2 : keeps lab lab' -> keeps lab' lab2 ->
+  {in corner M &, forall x y, lab' x = lab' y -> lab x = lab y} ->
+  {in corner M &, forall x y, (lab2 x == lab2 y) = (lab x == lab y)} ->
+  {in corner M, lab2 =1 lab}.
+Proof.
+move=> k1 k2 cut back x cx; have [cy exy min] := leastP lab cx; set y := least lab x in cy exy min.
+have l0 : least lab y = y by exact: least_least.
+have l1 : least lab' y = y.
+  apply: least_unique => // z cz /(cut _ _ cz cy) e.
+  by apply: min => //; rewrite e.
+have l2 : least lab2 y = y.
+  apply: least_unique => // z cz /eqP; rewrite back // => /eqP e.
+  by apply: min => //; rewrite e.
+by rewrite -exy -(k1 y) // -(k2 y) //; apply/eqP; rewrite back // exy.
 Qed.
 End Handles.
 
@@ -328,11 +350,6 @@ split=> // t; apply: eq_in_imset => v vt.
 by rewrite /file_id same.
 Qed.
 
-Corollary T12_canonical_run steps steps' : cut_regular M ->
-  let s := run M (start V T) steps in let s' := run M (start V T) steps' in
-  scored s = scored s' -> canonical_complex s =1 canonical_complex s'.
-Proof. by move=> r s s' /T12_canonical[||//]; exact/sound_run/sound_start. Qed.
-
 End Canonical.
 
 (* Corners are numbered cell by cell, in each cell as the file lists it.      *)
@@ -353,4 +370,18 @@ have et : t = u.
 move: e vt wu; rewrite et => /addnI e vt wu.
 by rewrite -[v](nth_index v vt) e nth_index.
 Qed.
+
+Definition row s t := [seq canonical M corner_number (label s) (v, t) | v <- o t].
+
+(* T12: equal scored sets give equal files, row by row.                       *)
+Theorem T12_rows steps steps' : cut_regular M ->
+  let s := run M (start V T) steps in let s' := run M (start V T) steps' in
+  scored s = scored s' -> row s =1 row s'.
+Proof.
+move=> r s s' e t; apply/eq_in_map => v vt.
+have ok st : sound M (run M (start V T) st) by exact/sound_run/sound_start.
+have [same _] := T12_canonical corner_number_inj (ok steps) (ok steps') e.
+by apply: same; rewrite unfold_in /corner -(ord_set o) inE.
+Qed.
+
 End CornerNumber.

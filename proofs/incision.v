@@ -128,8 +128,9 @@ Definition stitch : incision V T := Incision stitch_labelK (scored s :\: F).
 Lemma now_stitch t : now stitch t = stays @: now s t.
 Proof. by rewrite [RHS]/= -imset_comp. Qed.
 
-(* What is still a pair of mates remains one, and what is taken back, too.    *)
-Lemma mates_stitch h k :
+(* T12: a stitch makes the half-facets of each facet that it takes back mates
+   again, and leaves all others that are mates what they are.                 *)
+Theorem T12_mates h k :
   mates M h k -> (facet M h \in F) || mates (now s) (up (label s) h) (up (label s) k) ->
   mates (now stitch) (up (label stitch) h) (up (label stitch) k).
 Proof.
@@ -272,7 +273,13 @@ Theorem T12_order s A B : sound s ->
   isomorphic (now (cut (cut s A) B)) (now (cut (cut s B) A)) /\
   isomorphic (now (cut (cut s A) B)) (now (cut s (A :|: B))).
 Proof.
-by move=> ok; split; apply: sound_isomorphic; rewrite /= ?setUA 1?setUAC //; do 2?apply: sound_cut.
+move=> ok; split; apply: sound_isomorphic => /=.
+- exact/sound_cut/sound_cut.
+- exact/sound_cut/sound_cut.
+- exact: setUAC.
+- exact/sound_cut/sound_cut.
+- exact: sound_cut.
+- by rewrite setUA.
 Qed.
 
 (* T12: to undo a cut is to stitch the facets that it scored, and to undo a
@@ -281,9 +288,11 @@ Theorem T12_undo s F : sound s ->
   isomorphic (now (stitch (cut s F) (F :\: scored s))) (now s) /\
   isomorphic (now (cut (stitch s F) (F :&: scored s))) (now s).
 Proof.
-move=> ok; split; apply: sound_isomorphic => //;
-  do ?[exact: ok | apply: sound_cut | apply: sound_stitch].
-all: by apply/setP=> f; rewrite !inE; case: (f \in scored s); case: (f \in F).
+move=> ok; split; apply: sound_isomorphic => //=.
+- exact/sound_stitch/sound_cut.
+- by apply/setP=> f; rewrite !inE; case: (f \in scored s); case: (f \in F).
+- exact/sound_cut/sound_stitch.
+- by apply/setP=> f; rewrite !inE; case: (f \in scored s); case: (f \in F).
 Qed.
 
 (* T12: to redo either is to do it again with the same facets.                *)
@@ -292,9 +301,13 @@ Theorem T12_redo s F : sound s ->
   isomorphic (now (stitch (cut (stitch s F) (F :&: scored s)) (F :&: scored s)))
              (now (stitch s F)).
 Proof.
-move=> ok; split; apply: sound_isomorphic => //;
-  do ?[exact: ok | apply: sound_cut | apply: sound_stitch].
-all: by apply/setP=> f; rewrite !inE; case: (f \in scored s); case: (f \in F).
+move=> ok; split; apply: sound_isomorphic => /=.
+- exact/sound_cut/sound_stitch/sound_cut.
+- exact: sound_cut.
+- by apply/setP=> f; rewrite !inE; case: (f \in scored s); case: (f \in F).
+- exact/sound_stitch/sound_cut/sound_stitch.
+- exact: sound_stitch.
+- by apply/setP=> f; rewrite !inE; case: (f \in scored s); case: (f \in F).
 Qed.
 
 (* Splits are counted, so no other isomorphism can hide one.                  *)
