@@ -137,7 +137,7 @@ class Row:
                 self.theorems.append((coq[1], coq[2]))
             elif cpp:
                 self.code.append((cpp[1], cpp[2]))
-            elif re.fullmatch(r"[A-Z]\w*\.[A-Z]\w*|project\.\w+", token):
+            elif re.fullmatch(r"[A-Z]\w*\.[A-Z]\w*|(?:project|proofs)\.\w+", token):
                 self.tests.append(token)
             elif not (token.startswith("./dev ") and token.split()[1] in sources.commands):
                 self.unknown.append(token)
