@@ -1,108 +1,156 @@
-(* algorithm3.v : the node-by-node LOOP of Algorithm 3, components recomputed on the *)
-(* partially modified mesh, equals the simultaneous unglue, in every order.    *)
+(******************************************************************************)
+(* Algorithm 3 as printed: a loop that treats one node after the other, and   *)
+(* finds the components on the complex as the loop has left it so far (T11).  *)
+(* Its state is a relabelling whose new vertices are                          *)
+(*        (v, None) == the node v, not yet treated                            *)
+(*      (v, Some t) == the copy N_c of v, for the component c named by a cell *)
+(*                     t                                                      *)
+(*   labelling, complex_of M l == a state, and its complex                    *)
+(*     component l x == a cell that names the component of the corner x in    *)
+(*                      the state l; the facets of C are those whose parents  *)
+(*                      are in C, as the paper's facet objects are            *)
+(*         treat l N == the body of the loop, for the node N                  *)
+(*   algorithm3 M C ns == the loop over the list ns of nodes                  *)
+(*   T11_order == the order of the nodes and repetitions do not matter        *)
+(*   T11_all   == over all nodes the loop is unglue M C                       *)
+(*   T11_local == for a cut-regular complex so it is over the vertices of C;  *)
+(*                the others might be split otherwise: Figure 8               *)
+(*   T11_regularize == any complex: assemble_regularized, which is unglue     *)
+(*                with the empty cut, followed by the loop over the vertices  *)
+(*                of C                                                        *)
+(******************************************************************************)
 From mathcomp Require Import all_ssreflect.
-From Cleave Require Import complex unglue.
+From Cleave Require Import connectivity complex unglue.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-Section Alg3.
+Section Algorithm3.
 Variables (n : nat) (V T : finType) (M : complex n V T) (C : {set {set V}}).
+Implicit Types (N v : V) (x y : V * T) (ns : seq V).
 
-(* (v, None) : original node, (v, Some t) : the copy N_c named after a cell t  *)
 Definition node := prod_finType V (option_finType T).
-Record labelling := Lab { lab :> V * T -> node; labK : forall x, (lab x).1 = x.1 }.
-Definition complex_of (l : labelling) : complex n node T := relabel M (labK l).
 
-Definition compname (l : labelling) x : T :=
-  (root (glue (complex_of l) (lifted fst C)) (up l x)).2.
-Definition step_fun (l : labelling) (N : V) x : node :=
-  if x.1 == N then (N, Some (compname l x)) else l x.
-Lemma step_funK l N x : (step_fun l N x).1 = x.1.
-Proof. by rewrite /step_fun; case: eqP => [->|_]; rewrite ?labK. Qed.
-Definition step l N : labelling := Lab (step_funK l N).
+Record labelling := Labelling {
+  label :> V * T -> node;
+  labelK : forall x, parent (label x) = x.1
+}.
+Implicit Type l : labelling.
 
-Lemma lab0K (x : V * T) : ((x.1, None) : node).1 = x.1. Proof. by []. Qed.
-Definition alg3 (ns : seq V) : labelling := foldl step (Lab lab0K) ns.
+Definition complex_of l : complex n node T := relabel M (labelK l).
 
-Lemma compnameP (l : labelling) x y : respects M l C -> x.1 = y.1 ->
-  (compname l x == compname l y) = connect (glue M C) x y.
+Definition component l x : T := (root (glue (complex_of l) (lifted parent C)) (up l x)).2.
+
+Definition treated l N x : node := if x.1 == N then (N, Some (component l x)) else l x.
+
+Lemma treatedK l N x : parent (treated l N x) = x.1.
+Proof. by rewrite /treated; case: eqP => [->|_] //; apply: labelK. Qed.
+
+Definition treat l N : labelling := Labelling (treatedK l N).
+
+Definition untouched x : node := (x.1, None).
+Lemma untouchedK x : parent (untouched x) = x.1. Proof. by []. Qed.
+
+Definition algorithm3 ns : labelling := foldl treat (Labelling untouchedK) ns.
+
+(* The loop finds the same components as if nothing had been treated before.  *)
+Lemma componentP l x y : respects M l C -> x.1 = y.1 ->
+  (component l x == component l y) = connect (glue M C) x y.
 Proof.
-move=> r xy; apply/eqP/idP => [|c]; last first.
-  rewrite /compname; congr (_.2); apply/eqP.
+move=> r xy; apply/eqP/idP => [e|c]; last first.
+  rewrite /component; congr (_.2); apply/eqP.
   by rewrite (root_connect (glue_csym _ _)) connect_relabel.
-have H z : connect (glue M C) z (z.1, compname l z).
-  have c := connect_root (glue (complex_of l) (lifted fst C)) (up l z).
-  have := connect_fst c => /= e.
-  have -> : (z.1, compname l z) = down fst (root (glue (complex_of l) (lifted fst C)) (up l z)).
-    by rewrite /down -e labK.
-  rewrite -{1}[z](upK (labK l)); apply: connect_homo c => a b g.
+have reach z : connect (glue M C) z (z.1, component l z).
+  have c := connect_root (glue (complex_of l) (lifted parent C)) (up l z).
+  have -> : (z.1, component l z) = down parent (root (glue (complex_of l) (lifted parent C)) (up l z)).
+    by rewrite /down -(connect_fst c) /= labelK.
+  rewrite -{1}[z](upK (labelK l)); apply: connect_homo c => a b g.
   exact/connect1/(glue_down g).
-move=> e; apply: connect_trans (H x) _.
-by rewrite (glue_csym M C) e xy; exact: H.
+by apply: connect_trans (reach x) _; rewrite (glue_csym M C) e xy; exact: reach.
 Qed.
 
-Definition inv (l : labelling) (S : pred V) := forall x y, x.1 = y.1 ->
-  corner M x -> corner M y ->
-  (l x == l y) = (x.1 \notin S) || connect (glue M C) x y.
+(* The state when just the nodes of S have been treated.                      *)
+Definition state_of l (S : pred V) := {in corner M &, forall x y,
+  (l x == l y) = (x.1 == y.1) && ((x.1 \notin S) || connect (glue M C) x y)}.
 
-Lemma inv_respects l S : inv l S -> respects M l C.
+Lemma state_respects l S : state_of l S -> respects M l C.
 Proof.
-move=> i x y g; have c := connect1 g; have xy := connect_fst c.
+move=> st x y g; have c := connect1 g; have xy := connect_fst c.
 have cx : corner M x by case/and4P: g => _ + _ _; rewrite inE => /andP[].
-by apply/eqP; rewrite (i _ _ xy cx (connect_corner c cx)) c orbT.
+by apply/eqP; rewrite (st _ _ cx (connect_corner c cx)) xy eqxx c orbT.
 Qed.
 
-Lemma inv_step l S N : inv l S -> inv (step l N) [pred v | (v == N) || S v].
+Lemma state_treat l S N : state_of l S -> state_of (treat l N) [predU1 N & S].
 Proof.
-move=> i x y xy cx cy; rewrite [_ x]/(step_fun l N x) [_ y]/(step_fun l N y).
-rewrite /step_fun -xy !inE negb_or; have [xN|xN] /= := eqVneq x.1 N; last exact: i.
-by rewrite -(compnameP (inv_respects i) xy) xpair_eqE eqxx.
+move=> st x y cx cy; have [xy|xy] := eqVneq x.1 y.1; last first.
+  by apply: contraNF xy => /eqP/(congr1 parent); rewrite !labelK => ->.
+rewrite [_ x]/(treated l N x) [_ y]/(treated l N y) /treated -xy !inE negb_or.
+have [xN|_] /= := eqVneq x.1 N; last by rewrite st // xy eqxx.
+by rewrite -(componentP (state_respects st) xy) xpair_eqE eqxx.
 Qed.
 
-Lemma inv_alg3 ns : exists S, inv (alg3 ns) S /\ S =i ns.
+Lemma state_algorithm3 ns : state_of (algorithm3 ns) (mem ns).
 Proof.
-rewrite /alg3; suff H l S : inv l S -> exists S', inv (foldl step l ns) S' /\
-    S' =i [pred v | (v \in S) || (v \in ns)].
-  have [|S' [i e]] := H (Lab lab0K) pred0; first by move=> x y xy _ _; rewrite /= xy eqxx.
-  by exists S'; split=> // v; rewrite e.
-elim: ns l S => [|N ns IHs] l S i /=.
-  by exists S; split=> // v; rewrite !inE orbF.
-have [S' [i' e]] := IHs _ _ (@inv_step l S N i).
-exists S'; split=> // v; rewrite e !inE.
-by rewrite unfold_in /= orbCA orbA.
+have start : state_of (Labelling untouchedK) pred0.
+  by move=> x y _ _; rewrite xpair_eqE eqxx andbT.
+suff loop l S : state_of l S -> state_of (foldl treat l ns) [predU S & mem ns].
+  by move=> x y cx cy; rewrite (loop _ _ start).
+elim: ns l S => [|N ns IHns] l S st x y cx cy.
+  by rewrite st // !inE orbF.
+by rewrite (IHns _ _ (state_treat N st)) // !inE orbCA orbA.
 Qed.
 
-Theorem alg3_correct (t0 : T) (ns : seq V) :
-  (forall v t u, v \in M t -> v \in M u -> v \notin ns ->
-     connect (glue M C) (v, t) (v, u)) ->
-  isomorphic (complex_of (alg3 ns)) (unglue M C).
+Variable t0 : T.
+
+(* T11: the state depends on the set of nodes treated alone.                  *)
+Theorem T11_order ns ns' : ns =i ns' ->
+  isomorphic (complex_of (algorithm3 ns)) (complex_of (algorithm3 ns')).
 Proof.
-move=> cov; have [S [i e]] := inv_alg3 ns.
-apply: (relabel_iso _ _ t0) => x y cx cy.
-have [xy|xy] := eqVneq x.1 y.1; last first.
-  rewrite copy_eq; transitivity false; last first.
-    by apply/esym/negP => /connect_fst/eqP; rewrite (negPf xy).
-  by apply/negP => /eqP/(congr1 fst); rewrite !labK => /eqP; rewrite (negPf xy).
-rewrite i // copy_eq e; case: (boolP (x.1 \in ns)) => //= nx.
-case: x y xy nx cx cy => v t [w u] /= <- nv vt wu; apply/esym; exact: cov.
+move=> e; apply: (relabel_iso _ _ t0) => x y cx cy.
+by rewrite !state_algorithm3 // -![_ \in mem _]/(_ \in _) e.
 Qed.
 
-(* every order, with repetitions                                              *)
-Corollary T11_all (t0 : T) (ns : seq V) : {subset used M <= ns} ->
-  isomorphic (complex_of (alg3 ns)) (unglue M C).
+(* The loop is unglue if it leaves out no node that unglue splits.            *)
+Lemma algorithm3_unglue ns : (forall v, v \notin ns -> regular_at M C v) ->
+  isomorphic (complex_of (algorithm3 ns)) (unglue M C).
 Proof.
-move=> sub; apply: alg3_correct => // v t u vt _.
-by rewrite sub //; apply/usedP; exists t.
+move=> skip; apply: (relabel_iso _ _ t0) => x y cx cy.
+rewrite state_algorithm3 // copy_eq; have [xy|xy] := eqVneq x.1 y.1; last first.
+  by apply/esym/negP => /connect_fst/eqP; rewrite (negPf xy).
+have [//|/skip r /=] := boolP (x.1 \in ns).
+by case: x y xy cx cy r => v t [w u] /= <- vt wu r; rewrite r.
 Qed.
 
-(* in a cut-regular mesh only the nodes of the cut surface need processing     *)
-Corollary T11_local (t0 : T) (ns : seq V) : cut_regular M ->
-  (forall f v, f \in C -> v \in f -> v \in ns) ->
-  isomorphic (complex_of (alg3 ns)) (unglue M C).
+(* T11: over all nodes, in any order and with repetitions, it is unglue.      *)
+Theorem T11_all ns : {subset used M <= ns} ->
+  isomorphic (complex_of (algorithm3 ns)) (unglue M C).
 Proof.
-move=> r sub; apply: alg3_correct => // v t u vt vu nv.
+move=> sub; apply: algorithm3_unglue => v v_ns t u vt.
+by rewrite sub ?(mem_used vt) in v_ns.
+Qed.
+
+(* T11: in a cut-regular complex the vertices of the cut suffice.             *)
+Theorem T11_local ns : cut_regular M -> {subset used M :&: cover C <= ns} ->
+  isomorphic (complex_of (algorithm3 ns)) (unglue M C).
+Proof.
+move=> r sub; apply: algorithm3_unglue => v v_ns t u vt vu.
 rewrite connect_local; first exact: r.
-by move=> f fC; apply: contra nv; exact: sub.
+move=> f fC; apply: contra v_ns => vf; apply: sub; rewrite inE (mem_used vt).
+by apply/bigcupP; exists f.
 Qed.
-End Alg3.
+
+End Algorithm3.
+
+(* T11: Algorithm 3 over all nodes of any complex is its regularisation,
+   followed by the loop over the vertices of the cut.                         *)
+Theorem T11_regularize n (V T : finType) (M : complex n V T) (C : {set {set V}}) (t0 : T)
+    (ns : seq (prod_finType V T)) (R := unglue M set0) :
+    {subset [set w in used R | parent w \in cover C] <= ns} ->
+  isomorphic (complex_of R (algorithm3 R (lifted parent C) ns)) (unglue M C).
+Proof.
+move=> sub; apply: isomorphic_trans (T8_staged M t0 (sub0set C)).
+apply: T11_local => //; first exact: T4_cut_regular.
+move=> w; rewrite inE => /andP[wR /bigcupP[f]]; rewrite in_lifted => fC wf.
+apply: sub; rewrite inE wR; apply/bigcupP; exists (parent @: f) => //.
+exact: imset_f.
+Qed.

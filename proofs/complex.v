@@ -2,12 +2,12 @@
 (* Complexes: the definitions that a reader of the theorems has to trust. The *)
 (* dimension n is arbitrary: 3 for tetrahedra, 2 for triangles. V is the set  *)
 (* of vertices and T that of cells; both are finite and otherwise arbitrary.  *)
-(*       complex n V T == Complex<n> of the C++: each cell t : T has a set M t*)
-(*                        of n.+1 vertices, and no two cells the same set. The*)
-(*                        paper's mesh consists of 3-simplexes and their      *)
-(*                        subsets, so the cells determine it. Cells have names*)
-(*                        of their own, like the paper's objects, because they*)
-(*                        outlive a change of their vertices.                 *)
+(*       complex n V T == Complex<n> of the C++: each cell t : T has a set M  *)
+(*                        t of n.+1 vertices, and no two cells the same set.  *)
+(*                        The paper's mesh consists of 3-simplexes and their  *)
+(*                        subsets, so the cells determine it. Cells have      *)
+(*                        names of their own, like the paper's objects,       *)
+(*                        because they outlive a change of their vertices.    *)
 (*              used M == the vertices of the cells (others do not matter)    *)
 (*            star M v == the cells around the vertex v                       *)
 (*          corner M x == x = (v, t) is a corner: v is a vertex of the cell t *)
@@ -32,8 +32,8 @@
 (*         regular M C == so it is at every vertex                            *)
 (*       cut_regular M == Definition 4: for every vertex the cells around it  *)
 (*                        form one facet-connected component                  *)
-(* A cut is any set C of vertex sets; those that are no interior facet of M do*)
-(* nothing (the C++ refuses them: FacetSet).                                  *)
+(* A cut is any set C of vertex sets; those that are no interior facet of M   *)
+(* do nothing (the C++ refuses them: FacetSet).                               *)
 (******************************************************************************)
 From mathcomp Require Import all_ssreflect.
 From Cleave Require Import connectivity.
@@ -137,10 +137,9 @@ Lemma facet_sub x : facet x \subset M x.2. Proof. exact: subsetDl. Qed.
 Lemma card_facet x : corner x -> #|facet x| = n.
 Proof. by move=> cx; have := cardsD1 x.1 (M x.2); rewrite [_ \in _]cx card_vertices => -[]. Qed.
 
-Lemma facet_inj x y : corner x -> x.2 = y.2 -> facet x = facet y -> x = y.
+Lemma facet_inj t v w : v \in M t -> facet (v, t) = facet (w, t) -> v = w.
 Proof.
-case: x y => v t [w u] /= vt tu; subst u => /setP/(_ v); rewrite !inE eqxx /= => /esym.
-by move: vt; rewrite /corner /= => ->; rewrite andbT => /negbFE/eqP->.
+move=> vt /setP/(_ v); rewrite !inE eqxx /= vt andbT => /esym/negbFE/eqP; exact.
 Qed.
 
 Lemma facetP f t : f \subset M t -> #|f| = n -> exists2 v, v \in M t & f = facet (v, t).

@@ -1,11 +1,12 @@
 (******************************************************************************)
-(* Connectivity: what the rest needs about fingraph's connect and says nothing*)
-(* of meshes. connect e is the reflexive and transitive closure of e; root e  *)
-(* picks one element of each of its classes.                                  *)
+(* Connectivity: what the rest needs about fingraph's connect and says        *)
+(* nothing of meshes. connect e is the reflexive and transitive closure of e; *)
+(* root e picks one element of each of its classes.                           *)
 (*   connect_homo == a map that sends steps to paths sends paths to paths     *)
 (*   connect_inv  == what every step leaves alone, every path leaves alone    *)
 (*   connect_stay == what every step carries on, every path carries on        *)
-(*   connect_sub_in == a relation may be replaced inside a set it cannot leave*)
+(*   connect_sub_in == a relation may be replaced inside a set it cannot      *)
+(*                     leave                                                  *)
 (******************************************************************************)
 From mathcomp Require Import all_ssreflect.
 Set Implicit Arguments.

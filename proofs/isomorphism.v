@@ -3,9 +3,9 @@
 (*    isomorphic M N == some renaming of vertices, injective on those in use, *)
 (*                      turns every cell of M into the cell of N of the same  *)
 (*                      name. The cells are not permuted: the paper's cells   *)
-(*                      are objects that remain valid, and Cleave's keep their*)
-(*                      numbers. All theorems mean this when they say: the    *)
-(*                      same up to renaming of vertices.                      *)
+(*                      are objects that remain valid, and Cleave's keep      *)
+(*                      their numbers. All theorems mean this when they say:  *)
+(*                      the same up to renaming of vertices.                  *)
 (* It is an equivalence: isomorphic_refl, isomorphic_sym, isomorphic_trans.   *)
 (******************************************************************************)
 From mathcomp Require Import all_ssreflect.

@@ -1,271 +1,257 @@
-(* orientation.v : T2 and Algorithm 5 (T13).                                  *)
+(******************************************************************************)
+(* Oriented complexes (T2).                                                   *)
+(*      osimplex n V == a sign and an ordering of n vertices. Section 4: each *)
+(*                    set is ordered, and the parity of the ordering          *)
+(*                    determines the orientation. The sign is apart because a *)
+(*                    facet of one vertex (n = 1) has only one ordering.      *)
+(*         oset a == its vertices                                             *)
+(*         mate a == the same with opposite orientation                       *)
+(*      osame a b == a and b are one oriented simplex: reordering a by the    *)
+(*                    permutation s gives b, up to the sign of s              *)
+(*  orientation M == for each cell the order of its vertices and whether it   *)
+(*                    is reversed (the tuples of the file and Complex::sign)  *)
+(*   facet_tuple o t i == the facet opposite the i-th vertex of t, in the     *)
+(*                    order of the cell (Complex::facet)                      *)
+(*   half_facet o t i == that facet with the orientation that t induces on it *)
+(*                    (Complex::facet_sign)                                   *)
+(*     coherent o == half-facets with the same vertices, of different cells,  *)
+(*                    have opposite orientation: Cleave's invariant           *)
+(*  each_in_one_cell o == the paper's form of it: in the oriented             *)
+(*                    3-dimensional pseudo-manifold, each triangle is part of *)
+(*                    precisely one tetrahedron                               *)
+(*  relabelled_orientation o pK == the orientation o of the relabelled        *)
+(*                                 complex                                    *)
+(*  coherent_each_in_one_cell == the two forms of coherence are equivalent    *)
+(*  coherent_pseudo_manifold == a coherent complex is a pseudo-manifold (the  *)
+(*                    converse needs it to be orientable, which the paper     *)
+(*                    does not state)                                         *)
+(*  T2_coherent == unglue, and any relabelling, keeps coherence               *)
+(*  T2_oriented_facets == and creates and destroys no oriented facet          *)
+(******************************************************************************)
 From mathcomp Require Import all_ssreflect fingroup perm.
 From Cleave Require Import complex unglue.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-(* signed ordered simplexes; osame = same oriented simplex                    *)
-Section OSimplex.
+Section OrientedSimplex.
 Variables (n : nat) (V : finType).
+
 Definition osimplex := (bool * n.-tuple V)%type.
-Implicit Types (a b : osimplex).
-Definition osame (a b : osimplex) :=
-  [exists s : 'S_n, (b.2 == [tuple tnth a.2 (s i) | i < n]) && (b.1 == a.1 (+) odd_perm s)].
-Definition mate (a : osimplex) : osimplex := (~~ a.1, a.2).
-Definition oset (a : osimplex) : {set V} := [set x in a.2].
+Implicit Types a b c : osimplex.
 
-Lemma osame_oset a b : osame a b -> oset a = oset b.
-Proof.
-case/existsP=> s /andP[/eqP e _]; apply/setP=> x; rewrite !inE e.
-apply/tnthP/tnthP => [[i ->]|[i ->]]; last by exists (s i); rewrite tnth_mktuple.
-by exists (s^-1 i)%g; rewrite tnth_mktuple permKV.
-Qed.
+Definition oset a : {set V} := [set x in a.2].
+Definition mate a : osimplex := (~~ a.1, a.2).
+Definition osame a b :=
+  [exists s : 'S_n, (b.2 == [tuple tnth a.2 (s i) | i < n]) && (b.1 == a.1 (+) s)].
 
-(* sign is determined on duplicate-free tuples                                *)
-Lemma osame_mate a b : uniq a.2 -> osame a b -> osame (mate a) b -> False.
+Lemma osameP a b :
+  reflect (exists2 s : 'S_n, (forall i, tnth b.2 i = tnth a.2 (s i)) & b.1 = a.1 (+) s)
+          (osame a b).
 Proof.
-move=> /tuple_uniqP ua /existsP[s /andP[/eqP e1 /eqP e2]] /existsP[r /andP[/eqP f1 /eqP f2]].
-suff sr : s = r by move: f2; rewrite /= e2 sr; case: a.1; case: odd_perm.
-apply/permP => i; apply: ua.
-have := congr1 (fun z : n.-tuple V => tnth z i) e1; rewrite f1 !tnth_mktuple /=.
-by move=> ->.
+apply: (iffP existsP) => [[s /andP[/eqP e /eqP sgn]]|[s e sgn]]; exists s => //.
+  by move=> i; rewrite e tnth_mktuple.
+by rewrite sgn eqxx andbT; apply/eqP/eq_from_tnth => i; rewrite e tnth_mktuple.
 Qed.
 
 Lemma osame_refl a : osame a a.
+Proof. by apply/osameP; exists 1%g => [i|]; rewrite ?perm1 // odd_perm1 addbF. Qed.
+
+Lemma osame_sym : symmetric osame.
 Proof.
-apply/existsP; exists 1%g; rewrite odd_perm1 addbF eqxx andbT.
-by apply/eqP/eq_from_tnth => i; rewrite tnth_mktuple perm1.
+suff sub a b : osame a b -> osame b a by move=> a b; apply/idP/idP; apply: sub.
+case/osameP=> s e sgn; apply/osameP; exists s^-1%g => [i|]; first by rewrite e permKV.
+by rewrite odd_permV sgn -addbA addbb addbF.
 Qed.
 
+Lemma osame_trans : transitive osame.
+Proof.
+move=> b a c /osameP[s e sgn] /osameP[r e' sgn']; apply/osameP.
+exists (r * s)%g => [i|]; first by rewrite e' e permM.
+by rewrite odd_permM sgn' sgn -addbA [odd_perm s (+) _]addbC.
+Qed.
+
+Lemma mateK : involutive mate. Proof. by case=> e a; rewrite /mate /= negbK. Qed.
+
+Lemma osame_mate a b : osame (mate a) b = osame a (mate b).
+Proof.
+apply/osameP/osameP => -[s e sgn]; exists s => //; move: sgn => /=.
+  by move->; rewrite addNb negbK.
+by rewrite addNb => <-; rewrite negbK.
+Qed.
+
+Lemma osame_oset a b : osame a b -> oset a = oset b.
+Proof.
+have sub c d : osame c d -> oset d \subset oset c.
+  case/osameP=> s e _; apply/subsetP=> x; rewrite !inE => /tnthP[i ->].
+  by rewrite e mem_tnth.
+by move=> ab; apply/eqP; rewrite eqEsubset !sub // osame_sym.
+Qed.
+
+(* An oriented simplex is not its own mate.                                   *)
+Lemma osame_mateN a : uniq a.2 -> ~~ osame a (mate a).
+Proof.
+move=> /tuple_uniqP a_inj; apply/osameP => -[s e /=].
+suff -> : s = 1%g by rewrite odd_perm1 addbF; case: a.1.
+by apply/permP => i; rewrite perm1; apply: a_inj; rewrite -e.
+Qed.
+
+(* n vertices carry just two oriented simplices.                              *)
 Lemma osame_or_mate a b : uniq a.2 -> uniq b.2 -> oset a = oset b ->
   osame a b || osame (mate a) b.
 Proof.
-move=> ua ub /setP ab.
-have /tuple_permP[s es] : perm_eq b.2 a.2.
+move=> ua ub /setP ab; have /tuple_permP[s es] : perm_eq b.2 a.2.
   by apply: uniq_perm => // x; have := ab x; rewrite !inE => ->.
-have e : b.2 = [tuple tnth a.2 (s i) | i < n] by apply: val_inj.
-case E: (b.1 == a.1 (+) odd_perm s).
-  by apply/orP; left; apply/existsP; exists s; rewrite E {1}e eqxx.
-apply/orP; right; apply/existsP; exists s; rewrite {1}e eqxx /=.
-by move: E; case: b.1; case: a.1; case: odd_perm.
+have e i : tnth b.2 i = tnth a.2 (s i).
+  by have -> : b.2 = [tuple tnth a.2 (s j) | j < n]; [apply: val_inj | rewrite tnth_mktuple].
+case sgn: (b.1 == a.1 (+) s); apply/orP; [left | right]; apply/osameP; exists s => //.
+  exact/eqP.
+by move: sgn; rewrite /= addNb; case: b.1; case: (_ (+) _).
 Qed.
-End OSimplex.
 
-Section Oriented.
+End OrientedSimplex.
+
+Section Orientation.
 Variables (n : nat) (V T : finType) (M : complex n V T).
 
-Record ordering := Ordering {
-  ord_of :> T -> n.+1.-tuple V;
-  ord_set : forall t, [set x in ord_of t] = M t }.
-Variable o : ordering.
+Record orientation := Orientation {
+  tuple_of :> T -> n.+1.-tuple V;
+  reversed : T -> bool;
+  tuple_ofP : forall t, [set x in tuple_of t] = M t
+}.
 
-Lemma ord_uniq t : uniq (o t).
+Variable o : orientation.
+Implicit Types (t u w : T) (i j k : 'I_n.+1).
+
+Lemma mem_tuple_of v t : (v \in o t) = (v \in M t).
+Proof. by rewrite -(tuple_ofP o t) inE. Qed.
+
+Lemma tuple_of_inj t : injective (tnth (o t)).
 Proof.
+suff /tuple_uniqP : uniq (o t) by [].
 apply/card_uniqP; rewrite size_tuple; apply: etrans (card_vertices M t).
-by rewrite -(ord_set o t); apply: eq_card => x; rewrite !inE.
+by apply: eq_card => x; rewrite mem_tuple_of.
 Qed.
 
-Definition fac t (i : 'I_n.+1) : n.-tuple V := [tuple tnth (o t) (lift i j) | j < n].
-Definition ofac t (i : 'I_n.+1) : osimplex n V := (odd i, fac t i).
+Lemma corner_tnth t i : corner M (tnth (o t) i, t).
+Proof. by rewrite /corner -mem_tuple_of mem_tnth. Qed.
 
-Lemma fac_uniq t i : uniq (fac t i).
+Lemma tnth_corner x : corner M x -> exists i, x = (tnth (o x.2) i, x.2).
+Proof. by case: x => v t; rewrite /corner -mem_tuple_of /= => /tnthP[i ->]; exists i. Qed.
+
+Definition facet_tuple t i : n.-tuple V := [tuple tnth (o t) (lift i j) | j < n].
+Definition half_facet t i : osimplex n V := (reversed o t (+) odd i, facet_tuple t i).
+
+Lemma half_facet_uniq t i : uniq (half_facet t i).2.
+Proof. by apply/tuple_uniqP => j k; rewrite !tnth_mktuple => /tuple_of_inj/lift_inj. Qed.
+
+Lemma half_facet_set t i : oset (half_facet t i) = facet M (tnth (o t) i, t).
 Proof.
-apply/tuple_uniqP => j k; rewrite !tnth_mktuple.
-by have /tuple_uniqP inj := ord_uniq t; move=> /inj/lift_inj.
-Qed.
-
-Lemma ofac_uniq t i : uniq (ofac t i).2. Proof. exact: fac_uniq. Qed.
-
-Lemma fac_set t i : oset (ofac t i) = M t :\ tnth (o t) i.
-Proof.
-have /tuple_uniqP inj := ord_uniq t.
-apply/setP=> x; rewrite -(ord_set o t) !inE; apply/tnthP/andP => [[j ->]|[xi /tnthP[k e]]].
-  rewrite tnth_mktuple mem_tnth; split=> //; apply/eqP=> /inj/eqP.
-  by rewrite eq_sym (negPf (neq_lift _ _)).
-have ki : i != k by apply: contra xi => /eqP->; rewrite e.
+apply/setP=> x; rewrite !inE -mem_tuple_of; apply/tnthP/andP => [[j ->]|[xi /tnthP[k xk]]].
+  by rewrite tnth_mktuple mem_tnth (inj_eq (@tuple_of_inj t)) eq_sym neq_lift.
+have ki : i != k by apply: contra xi => /eqP->; rewrite xk.
 by case: (unlift_some ki) => j kj _; exists j; rewrite tnth_mktuple -kj.
 Qed.
 
-Lemma fac_index t i j : oset (ofac t i) = oset (ofac t j) -> i = j.
+Lemma half_facet_index t i j : oset (half_facet t i) = oset (half_facet t j) -> i = j.
 Proof.
-rewrite !fac_set => e; have /tuple_uniqP inj := ord_uniq t.
-apply: inj; apply/eqP; apply/negPn/negP => ne.
-have : tnth (o t) i \in M t :\ tnth (o t) j.
-  by rewrite !inE ne -(ord_set o t) inE mem_tnth.
-by rewrite -e !inE eqxx.
+rewrite !half_facet_set => e; apply: tuple_of_inj.
+exact: facet_inj (corner_tnth t i) e.
 Qed.
 
-(* coherent: shared facets get opposite orientations                          *)
 Definition coherent := forall t i u j, t != u ->
-  oset (ofac t i) = oset (ofac u j) -> osame (mate (ofac t i)) (ofac u j).
+  oset (half_facet t i) = oset (half_facet u j) -> osame (mate (half_facet t i)) (half_facet u j).
 
-(* "each oriented triangle is part of precisely one tetrahedron"               *)
-Definition ofac_injective := forall t i u j,
-  osame (ofac t i) (ofac u j) -> (t, i) = (u, j).
+Definition each_in_one_cell := forall t i u j,
+  osame (half_facet t i) (half_facet u j) -> (t, i) = (u, j).
 
-Theorem coherent_unique : coherent <-> ofac_injective.
+Theorem coherent_each_in_one_cell : coherent <-> each_in_one_cell.
 Proof.
-split=> [co t i u j s|inj t i u j tu e].
-  have e := osame_oset s.
-  have [tu|tu] := eqVneq t u; first by subst u; rewrite (fac_index e).
-  by case: (osame_mate (ofac_uniq t i) s (co _ _ _ _ tu e)).
-have /orP[s|//] := osame_or_mate (ofac_uniq t i) (ofac_uniq u j) e.
-by case: (inj _ _ _ _ s) tu => -> _; rewrite eqxx.
+split=> [co t i u j s|one t i u j tu e].
+  have [tu|tu] := eqVneq t u; first by subst u; rewrite (half_facet_index (osame_oset s)).
+  have := co _ _ _ _ tu (osame_oset s); rewrite osame_sym => /(osame_trans s).
+  by rewrite (negPf (osame_mateN (half_facet_uniq t i))).
+have /orP[s|//] := osame_or_mate (half_facet_uniq t i) (half_facet_uniq u j) e.
+by case: (one _ _ _ _ s) tu => -> _; rewrite eqxx.
 Qed.
 
-(* Algorithm 5: look up the mate of facet j of t, return the backlink         *)
-Definition neighbour t j : option T :=
-  omap fst [pick x : T * 'I_n.+1 | osame (mate (ofac t j)) (ofac x.1 x.2)].
-
-Theorem T13_alg5 t j u : coherent ->
-  (neighbour t j = Some u) <-> (u != t /\ M t :\ tnth (o t) j \subset M u).
+(* Two half-facets with one set of vertices are mates; coherence makes them
+   mates in the sense of orientation as well.                                 *)
+Lemma half_facet_mates t i u j : coherent ->
+  osame (mate (half_facet t i)) (half_facet u j) =
+  mates M (tnth (o t) i, t) (tnth (o u) j, u).
 Proof.
-move=> co; rewrite /neighbour; split.
-  case: pickP => // -[u' k] /= s [<-].
-  have e : oset (ofac t j) = oset (ofac u' k) := osame_oset s.
-  split; last by rewrite -fac_set e fac_set subsetDl.
-  apply/eqP => tu; subst u'; have jk := fac_index e; subst k.
-  exact: osame_mate (ofac_uniq t j) (osame_refl _) s.
-move=> [ut sub].
-have [k e] : exists k, oset (ofac t j) = oset (ofac u k).
-  have c1 : #|M u :\: (M t :\ tnth (o t) j)| = 1.
-    have tj : tnth (o t) j \in M t by rewrite -(ord_set o t) inE mem_tnth.
-    have := cardsD1 (tnth (o t) j) (M t); rewrite tj card_vertices add1n => -[c].
-    by rewrite cardsD (setIidPr sub) card_vertices -c subSnn.
-  have /cards1P[x xE] : #|M u :\: (M t :\ tnth (o t) j)| == 1 by rewrite c1.
-  have /tnthP[k xk] : x \in o u.
-    have : x \in M u :\: (M t :\ tnth (o t) j) by rewrite xE inE.
-    by rewrite inE => /andP[_]; rewrite -(ord_set o u) inE.
-  exists k; rewrite !fac_set -xk -xE; apply/setP=> y; rewrite !inE.
-  case yu: (y \in M u); rewrite ?andbT ?andbF ?negbK //.
-  by apply: contraFF yu => yt; rewrite (subsetP sub) // !inE.
-have s := co t j u k; rewrite eq_sym in s; have {}s := s ut e.
-case: pickP => [[u' k'] /= s'|/(_ (u, k))]; last by rewrite /= s.
-have e' : oset (ofac t j) = oset (ofac u' k') := osame_oset s'.
-have [-> //|u'u] := eqVneq u' u.
-have ee : oset (ofac u' k') = oset (ofac u k) by rewrite -e' e.
-have s'' := co _ _ _ _ u'u ee.
-case: (existsP s) => r /andP[/eqP r1 /eqP r2].
-case: (existsP s') => r' /andP[/eqP r1' /eqP r2'].
-case: (existsP s'') => q /andP[/eqP q1 /eqP q2].
-(* fac u k = fac t j o r ; fac u' k' = fac t j o r' ; fac u k = fac u' k' o q *)
-have /tuple_uniqP inj := fac_uniq t j.
-have rq : r = (q * r')%g.
-  apply/permP => i; rewrite permM; apply: inj.
-  have hr : tnth (ofac u k).2 i = tnth (ofac t j).2 (r i) by rewrite r1 tnth_mktuple.
-  have hq : tnth (ofac u k).2 i = tnth (ofac u' k').2 (q i) by rewrite q1 tnth_mktuple.
-  have hr' : tnth (ofac u' k').2 (q i) = tnth (ofac t j).2 (r' (q i)).
-    by rewrite r1' tnth_mktuple.
-  by have := hr; rewrite hq hr'.
-have : (ofac u k).1 = ~~ (ofac u' k').1 (+) odd_perm q := q2.
-rewrite r2 r2' rq odd_permM /=.
-by case: (odd j); case: (odd_perm q); case: (odd_perm r').
+move=> co; rewrite /mates !corner_tnth -!half_facet_set /=.
+apply/idP/andP => [s|[tu /eqP/(co _ _ _ _ tu)//]].
+split; last by apply/eqP; exact: (osame_oset s).
+apply/eqP=> tu; subst u; have ij := half_facet_index (osame_oset s); subst j.
+by move: s; rewrite osame_sym (negPf (osame_mateN (half_facet_uniq t i))).
 Qed.
 
-Corollary T13_unique_neighbour t j u w : coherent ->
-  u != t -> w != t -> M t :\ tnth (o t) j \subset M u -> M t :\ tnth (o t) j \subset M w ->
-  u = w.
+(* The converse holds of orientable complexes only.                           *)
+Theorem coherent_pseudo_manifold : coherent -> pseudo_manifold M.
 Proof.
-move=> co ut wt su sw.
-have /(T13_alg5 _ _ _ co) e1 : u != t /\ M t :\ tnth (o t) j \subset M u by [].
-have /(T13_alg5 _ _ _ co) e2 : w != t /\ M t :\ tnth (o t) j \subset M w by [].
-by move: e1; rewrite e2 => -[].
+move=> co f cf; rewrite leqNgt; apply/card_gt2P => -[t [u [w]]].
+rewrite !inE => -[[ft fu fw] [tu uw wt]].
+have index x : f \subset M x -> exists i, f = oset (half_facet x i).
+  case/facetP=> // v vx ->; have [i [->]] := tnth_corner (vx : corner M (v, x)).
+  by exists i; rewrite half_facet_set.
+have [[i fi] [j fj] [k fk]] := And3 (index t ft) (index u fu) (index w fw).
+have ij : osame (mate (half_facet t i)) (half_facet u j) by apply: co; rewrite -?fi.
+have ik : osame (mate (half_facet t i)) (half_facet w k) by apply: co; rewrite -?fi // eq_sym.
+have /coherent_each_in_one_cell one := co.
+have : osame (half_facet u j) (half_facet w k) by apply: osame_trans ik; rewrite osame_sym.
+by move/one => e; move: uw; case: e => ->; rewrite eqxx.
 Qed.
-End Oriented.
 
-(* T2: unglue (any relabelling) keeps a coherent orientation coherent, and the *)
-(* oriented facets keep their (cell, index) names: no object is created.       *)
-Section Preserve.
-Variables (n : nat) (V T : finType) (M : complex n V T) (o : ordering M).
+End Orientation.
+
+Section Relabelled.
+Variables (n : nat) (V T : finType) (M : complex n V T) (o : orientation M).
 Variables (W : finType) (p : W -> V) (lab : V * T -> W).
 Hypothesis pK : forall x, p (lab x) = x.1.
 Let R := relabel M pK.
+Implicit Types (t u : T) (i j k : 'I_n.+1).
 
-Lemma rord_set t : [set x in [tuple lab (tnth (o t) i, t) | i < n.+1]] = R t.
+Definition relabelled_tuple t := [tuple lab (tnth (o t) i, t) | i < n.+1].
+
+Lemma relabelled_tupleP t : [set w in relabelled_tuple t] = R t.
 Proof.
 apply/setP=> w; rewrite inE; apply/tnthP/imsetP => [[i ->]|[v]].
-  by exists (tnth (o t) i); rewrite ?tnth_mktuple // -(ord_set o t) inE mem_tnth.
-by rewrite -(ord_set o t) inE => /tnthP[i ->] ->; exists i; rewrite tnth_mktuple.
+  by exists (tnth (o t) i); rewrite ?tnth_mktuple // -(mem_tuple_of o) mem_tnth.
+by rewrite -(mem_tuple_of o) => /tnthP[i ->] ->; exists i; rewrite tnth_mktuple.
 Qed.
-Definition rord : ordering R := Ordering rord_set.
 
-Lemma rfac t i k : tnth (fac rord t i) k = lab (tnth (fac o t i) k, t).
+Definition relabelled_orientation : orientation R :=
+  Orientation (reversed o) relabelled_tupleP.
+Local Notation o' := relabelled_orientation.
+
+Lemma half_facet_tnth t i (k : 'I_n) :
+  tnth (half_facet o' t i).2 k = lab (tnth (half_facet o t i).2 k, t).
 Proof. by rewrite !tnth_mktuple. Qed.
 
-Theorem T2_coherent : coherent o -> coherent rord.
+(* T2: unglue keeps a coherent orientation coherent.                          *)
+Theorem T2_coherent : coherent o -> coherent o'.
 Proof.
 move=> co t i u j tu e.
-have mem v u1 j1 : (v \in oset (ofac o u1 j1)) = (lab (v, u1) \in oset (ofac rord u1 j1)).
-  rewrite !inE /=; apply/tnthP/tnthP => [[k ->]|[k]]; first by exists k; rewrite rfac.
-  by rewrite rfac => /(congr1 p); rewrite !pK /= => ->; exists k.
-have same v : v \in oset (ofac o u j) -> v \in oset (ofac o t i) /\ lab (v, u) = lab (v, t).
-  rewrite mem -e inE /= => /tnthP[k]; rewrite rfac => q.
-  have := congr1 p q; rewrite !pK /= => vE; rewrite q -vE; split=> //.
-  by rewrite inE /= vE mem_tnth.
-have same' v : v \in oset (ofac o t i) -> v \in oset (ofac o u j).
-  rewrite mem e inE /= => /tnthP[k]; rewrite rfac => q.
-  by have := congr1 p q; rewrite !pK /= => ->; rewrite inE /= mem_tnth.
-have e0 : oset (ofac o t i) = oset (ofac o u j).
-  by apply/setP=> v; apply/idP/idP => [/same'//|/same[]].
-have /existsP[s /andP[/eqP s1 s2]] := co t i u j tu e0.
-apply/existsP; exists s; rewrite s2 andbT; apply/eqP/eq_from_tnth => k.
-rewrite [RHS]tnth_mktuple [(ofac rord u j).2]/(fac rord u j) !rfac.
-have kE : tnth (fac o u j) k = tnth (fac o t i) (s k).
-  have -> : fac o u j = (ofac o u j).2 by [].
-  by rewrite s1 tnth_mktuple.
-rewrite -kE; apply: (same _ _).2; by rewrite inE mem_tnth.
+have : mates R (up lab (tnth (o t) i, t)) (up lab (tnth (o u) j, u)).
+  have cornerR := corner_tnth o'; move: e; rewrite !half_facet_set => e.
+  have := cornerR t i; have := cornerR u j; rewrite !tnth_mktuple => cu ct.
+  by rewrite /mates ct cu tu; apply/eqP; move: e; rewrite !tnth_mktuple.
+rewrite mates_relabel -half_facet_mates // => /andP[/osameP[s eV sgn] /forall_inP same].
+apply/osameP; exists s => // k; rewrite !half_facet_tnth eV; apply/esym/eqP/same.
+by rewrite -half_facet_set inE mem_tnth.
 Qed.
 
-Theorem T2_half_facets t i u j : coherent o ->
-  osame (ofac rord t i) (ofac rord u j) <-> osame (ofac o t i) (ofac o u j).
+(* T2: half-facets are the same oriented facet after iff they were before: by
+   coherent_each_in_one_cell, iff they are the same half-facet. So unglue
+   instantiates and destroys no object.                                       *)
+Theorem T2_oriented_facets t i u j : coherent o ->
+  osame (half_facet o' t i) (half_facet o' u j) <-> osame (half_facet o t i) (half_facet o u j).
 Proof.
-move=> co; have [i1 _] := coherent_unique o; have [i2 _] := coherent_unique rord.
-split=> [/(i2 (T2_coherent co)) [-> ->]|/(i1 co) [-> ->]]; exact: osame_refl.
-Qed.
-End Preserve.
-
-Section More.
-Variables (n : nat) (V T : finType) (M : complex n V T) (o : ordering M).
-Hypothesis co : coherent o.
-
-Lemma facet_index t (f : {set V}) : #|f| = n -> f \subset M t ->
-  exists j, f = M t :\ tnth (o t) j.
-Proof.
-move=> cf ft.
-have /cards1P[x xE] : #|M t :\: f| == 1 by rewrite cardsD (setIidPr ft) card_vertices cf subSnn.
-have xt : x \in M t :\: f by rewrite xE inE.
-have /tnthP[j xj] : x \in o t by move: xt; rewrite inE -(ord_set o t) inE => /andP[].
-exists j; rewrite -xj -xE; apply/setP=> y; rewrite !inE.
-case yt: (y \in M t); rewrite ?andbT ?andbF ?negbK //.
-by apply: contraFF yt => /(subsetP ft).
+move=> co; have /coherent_each_in_one_cell one := co.
+have /coherent_each_in_one_cell one' := T2_coherent co.
+by split=> [/one'[-> ->]|/one[-> ->]]; apply: osame_refl.
 Qed.
 
-(* an orientable (coherently ordered) mesh is a pseudo-manifold                *)
-Theorem coherent_pseudo_manifold : pseudo_manifold M.
-Proof.
-move=> f cf; case: (set_0Vmem (cofaces M f)) => [->|[t]]; first by rewrite cards0.
-rewrite inE => ft; have [j fj] := facet_index cf ft.
-rewrite (cardsD1 t) inE ft add1n ltnS; apply/card_le1P => u.
-rewrite !inE => /andP[ut fu] w; rewrite !inE; apply/andP/eqP => [[wt fw]|->//].
-by apply: (T13_unique_neighbour co (j := j) wt ut); rewrite -fj.
-Qed.
-
-(* Step 2 of Algorithm 3: the flood driven by Algorithm 5                      *)
-Definition flood_step v : rel T := fun t u =>
-  [exists j, (v \in M t :\ tnth (o t) j) && (neighbour o t j == Some u)].
-Theorem flood_step_glue v t u :
-  flood_step v t u = glue M set0 (v, t) (v, u).
-Proof.
-apply/existsP/idP => [[j /andP[vf /eqP/(T13_alg5 _ _ _ co)[ut sub]]]|/and4P[_ /= vi a _]].
-  have cf : #|M t :\ tnth (o t) j| = n.
-    have := cardsD1 (tnth (o t) j) (M t); rewrite card_vertices.
-    by rewrite -(ord_set o t) inE mem_tnth add1n => -[].
-  have e : common M t u = M t :\ tnth (o t) j.
-    by apply: (common_facet cf) => //; rewrite ?subsetDl // eq_sym.
-  by rewrite /glue /adjacent /= e eqxx vf cf eqxx inE.
-have [j fj] := facet_index (eqP a) (subsetIl _ _ : common M t u \subset M t).
-exists j; rewrite -fj vi; apply/eqP/(T13_alg5 _ _ _ co).
-by rewrite eq_sym (adjacent_neq a) -fj subsetIr.
-Qed.
-End More.
+End Relabelled.

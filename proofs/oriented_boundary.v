@@ -1,5 +1,18 @@
-(* oriented_boundary.v : T10, the oriented boundary of a coherently oriented mesh is a     *)
-(* cycle; hence also after unglue.  Tested against alternating cochains.       *)
+(******************************************************************************)
+(* The oriented boundary of a coherent complex is a cycle (T10).              *)
+(* Chains are tested against alternating cochains: functions of the order of  *)
+(* m vertices that change sign with it. R is any ordered ring, for instance   *)
+(* the integers: in it x = - x implies x = 0.                                 *)
+(*   alternating phi == phi is alternating                                    *)
+(*         value phi a == phi on the oriented simplex a                       *)
+(*          face a i == the ordered simplex a without its i-th vertex         *)
+(*    bdryT phi a    == phi on the boundary of a (bdry, for tuples)           *)
+(*   T10_boundary_chain == the boundaries of all cells sum up to the oriented *)
+(*                      boundary: interior half-facets cancel with their      *)
+(*                      mates                                                 *)
+(*   T10_oriented    == the oriented boundary is a cycle                      *)
+(*   T10_oriented_unglue == so it is after unglue, for any cut                *)
+(******************************************************************************)
 From mathcomp Require Import all_ssreflect all_algebra fingroup perm.
 From Cleave Require Import complex unglue orientation chain.
 Set Implicit Arguments.
@@ -8,25 +21,29 @@ Unset Printing Implicit Defensive.
 Import GRing.Theory Num.Theory.
 Local Open Scope ring_scope.
 
-Section Alt.
+Section Alternating.
 Variables (V : finType) (R : numDomainType).
+
 Definition alternating m (phi : m.-tuple V -> R) := forall a (s : 'S_m),
   phi [tuple tnth a (s i) | i < m] = (-1) ^+ odd_perm s * phi a.
+
 Definition face m (a : m.+1.-tuple V) (i : 'I_m.+1) : m.-tuple V :=
   [tuple tnth a (lift i j) | j < m].
+
 Definition bdryT m (phi : m.-tuple V -> R) (a : m.+1.-tuple V) : R :=
   \sum_(i < m.+1) (-1) ^+ i * phi (face a i).
 
-Lemma perm_minor m (s : 'S_m.+1) i : exists r : 'S_m,
-  (forall j, lift (s i) (r j) = s (lift i j)) /\ s = lift_perm i (s i) r.
+(* Leaving out the i-th element, a permutation is one of the others.          *)
+Lemma perm_minor m (s : 'S_m.+1) i : exists2 r : 'S_m,
+  forall j, lift (s i) (r j) = s (lift i j) & s = lift_perm i (s i) r.
 Proof.
 pose f j := odflt j (unlift (s i) (s (lift i j))).
 have fE j : lift (s i) (f j) = s (lift i j).
-  rewrite /f; have ne : s i != s (lift i j) by rewrite (inj_eq perm_inj) neq_lift.
-  by have [k -> ->] := unlift_some ne.
+  have ne : s i != s (lift i j) by rewrite (inj_eq perm_inj) neq_lift.
+  by rewrite /f; have [k -> ->] := unlift_some ne.
 have finj : injective f.
   by move=> j k e; apply: (@lift_inj _ i); apply: (@perm_inj _ s); rewrite -!fE e.
-exists (perm finj); split=> [j|]; first by rewrite permE.
+exists (perm finj) => [j|]; first by rewrite permE.
 apply/permP => k; have [j ->|->] := unliftP i k; last by rewrite lift_perm_id.
 by rewrite lift_perm_lift permE.
 Qed.
@@ -34,9 +51,8 @@ Qed.
 Lemma bdry_alternating m (phi : m.-tuple V -> R) : alternating phi -> alternating (bdryT phi).
 Proof.
 move=> alt a s; rewrite /bdryT mulr_sumr [RHS](reindex_inj (@perm_inj _ s)) /=.
-apply: eq_bigr => i _; have [r [rE sE]] := perm_minor s i.
-have -> : face [tuple tnth a (s i0) | i0 < m.+1] i =
-          [tuple tnth (face a (s i)) (r j) | j < m].
+apply: eq_bigr => i _; have [r rE sE] := perm_minor s i.
+have -> : face [tuple tnth a (s j) | j < m.+1] i = [tuple tnth (face a (s i)) (r j) | j < m].
   by apply: eq_from_tnth => j; rewrite !tnth_mktuple rE.
 rewrite alt !mulrA; congr (_ * _).
 have -> : odd_perm s = odd i (+) odd (s i) (+) odd_perm r by rewrite {1}sE odd_lift_perm.
@@ -64,77 +80,77 @@ rewrite -[RHS](bdry_bdry m psi a) /bdryT /bdry.
 apply: eq_bigr => i _; congr (_ * _); apply: eq_bigr => j _; congr (_ * _).
 by rewrite -face_del -face_del /psi valK.
 Qed.
-End Alt.
+
+Definition value m (phi : m.-tuple V -> R) (a : osimplex m V) : R := (-1) ^+ a.1 * phi a.2.
+
+Lemma value_osame m (phi : m.-tuple V -> R) a b :
+  alternating phi -> osame a b -> value phi a = value phi b.
+Proof.
+move=> alt /existsP[s /andP[/eqP eV /eqP sgn]]; rewrite /value eV sgn alt signr_addb.
+by rewrite -mulrA [(-1) ^+ odd_perm s * _]mulrA -signr_addb addbb mul1r.
+Qed.
+
+Lemma value_mate m (phi : m.-tuple V -> R) a : value phi (mate a) = - value phi a.
+Proof. by rewrite /value /= signrN mulNr. Qed.
+
+End Alternating.
 
 Section Cycle.
-Variables (n : nat) (V T : finType) (M : complex n V T) (o : ordering M) (R : numDomainType).
+Variables (n : nat) (V T : finType) (M : complex n V T) (o : orientation M).
 Hypothesis co : coherent o.
-Variable psi : n.-tuple V -> R.
-Hypothesis alt : alternating psi.
-Definition ev (a : osimplex n V) : R := (-1) ^+ a.1 * psi a.2.
-Let cf (x : T * 'I_n.+1) := ofac o x.1 x.2.
-Definition interior x := [exists y, osame (mate (cf x)) (cf y)].
+Variables (R : numDomainType).
+Local Notation hf x := (half_facet o x.1 x.2).
 
-Lemma ev_same a b : osame a b -> ev a = ev b.
+(* T10: interior half-facets cancel with their mates in the sum of the
+   boundaries of all cells; what remains is the oriented boundary.            *)
+Theorem T10_boundary_chain (psi : n.-tuple V -> R) : alternating psi ->
+  \sum_(x : T * 'I_n.+1) value psi (hf x) =
+  \sum_(x : T * 'I_n.+1 | oset (hf x) \in boundary M) value psi (hf x).
 Proof.
-case: a b => e a [f b] /existsP[s /andP[/= /eqP-> /eqP->]].
-by rewrite /ev /= alt signr_addb -mulrA [(-1) ^+ odd_perm s * _]mulrA -signr_addb addbb mul1r.
-Qed.
-Lemma ev_mate a : ev (mate a) = - ev a.
-Proof. by case: a => -[] a; rewrite /ev /= ?expr0 ?expr1 ?mul1r ?mulN1r ?opprK. Qed.
-
-Lemma osame_sym a b : @osame n V a b -> osame b a.
-Proof.
-case/existsP=> s /andP[/eqP e1 /eqP e2]; apply/existsP; exists s^-1%g.
-rewrite odd_permV e2 -addbA addbb addbF eqxx andbT.
-by apply/eqP/eq_from_tnth => i; rewrite tnth_mktuple e1 tnth_mktuple permKV.
-Qed.
-Lemma osame_trans a b c : @osame n V a b -> osame b c -> osame a c.
-Proof.
-case/existsP=> s /andP[/eqP e1 /eqP e2] /existsP[r /andP[/eqP f1 /eqP f2]].
-apply/existsP; exists (r * s)%g; rewrite odd_permM f2 e2 -addbA [odd_perm s (+) _]addbC eqxx andbT.
-by apply/eqP/eq_from_tnth => i; rewrite f1 !tnth_mktuple e1 tnth_mktuple permM.
-Qed.
-Lemma osame_mates a b : @osame n V (mate a) b -> osame (mate b) a.
-Proof.
-move/osame_sym => /existsP[s /andP[/eqP e1 /eqP e2]]; apply/existsP; exists s.
-by rewrite -e1 eqxx /=; move: e2 => /= /(congr1 negb); rewrite negbK => ->; rewrite addNb.
-Qed.
-
-Theorem interior_cancel :
-  \sum_x ev (cf x) = \sum_(x | ~~ interior x) ev (cf x).
-Proof.
-pose g x := odflt x [pick y | osame (mate (cf x)) (cf y)].
-have gP x : interior x -> osame (mate (cf x)) (cf (g x)).
+move=> alt; pose interior x := [exists y : T * 'I_n.+1, osame (mate (hf x)) (hf y)].
+have interiorE x : interior x = (oset (hf x) \notin boundary M).
+  rewrite half_facet_set boundaryP ?corner_tnth // negbK.
+  apply/existsP/existsP => -[y xy].
+    by exists (tnth (o y.1) y.2, y.1); rewrite -half_facet_mates.
+  have cy : corner M y by case/and4P: xy.
+  by have [k yE] := tnth_corner o cy; exists (y.2, k); rewrite half_facet_mates // -yE.
+pose g x := odflt x [pick y | osame (mate (hf x)) (hf y)].
+have gP x : interior x -> osame (mate (hf x)) (hf (g x)).
   by move=> /existsP[y yP]; rewrite /g; case: pickP => [z //|/(_ y)]; rewrite yP.
 have gI x : interior x -> interior (g x).
-  by move=> /gP/osame_mates h; apply/existsP; exists x.
-have ggx x : interior x -> g (g x) = x.
-  move=> ix; have h1 := osame_mates (gP _ ix); have h2 := gP _ (gI _ ix).
-  have := osame_trans (osame_sym h2) h1; have [inj _] := coherent_unique o.
-  by move/(inj co); rewrite -!surjective_pairing.
-rewrite (bigID interior) /= [X in X + _](_ : _ = 0) ?add0r //.
+  by move=> /gP xg; apply/existsP; exists x; rewrite osame_mate osame_sym.
+have gK x : interior x -> g (g x) = x.
+  move=> ix; have /coherent_each_in_one_cell one := co.
+  have : osame (hf (g (g x))) (hf x).
+    rewrite osame_sym; apply: osame_trans (gP _ (gI _ ix)).
+    by rewrite -osame_mate; exact: gP.
+  by move/one; rewrite -!surjective_pairing.
+rewrite (bigID interior) /= [X in X + _](_ : _ = 0) ?add0r.
+  by apply: eq_bigl => x; rewrite interiorE negbK.
 apply/eqP; rewrite -eqNr -sumrN; apply/eqP; rewrite [RHS](reindex_onto g g) //=.
-apply: eq_big => [x|x ix]; last by rewrite -ev_mate; apply: ev_same; exact: gP.
-apply/idP/andP => [ix|[igx /eqP gg]]; first by rewrite gI // ggx.
-case ix: (interior x) => //; have gx : g x = x; last by move: igx; rewrite gx ix.
-rewrite /g; case: pickP => // y yP; move/negbT/existsP: ix => []; by exists y.
+apply: eq_big => [x|x ix]; last by rewrite -value_mate; apply: value_osame => //; exact: gP.
+apply/idP/andP => [ix|[igx /eqP gg]]; first by rewrite gI // gK.
+by rewrite -gg; apply: gI.
 Qed.
+
 End Cycle.
 
-Theorem T10_oriented n (V T : finType) (M : complex n.+1 V T) (o : ordering M)
-  (R : numDomainType) (phi : n.-tuple V -> R) : coherent o -> alternating phi ->
-  \sum_(x | ~~ interior o x) (-1) ^+ odd x.2 * bdryT phi (fac o x.1 x.2) = 0.
+(* T10: the oriented boundary has no boundary.                                *)
+Theorem T10_oriented n (V T : finType) (M : complex n.+1 V T) (o : orientation M)
+    (R : numDomainType) (phi : n.-tuple V -> R) : coherent o -> alternating phi ->
+  \sum_(x : T * 'I_n.+2 | oset (half_facet o x.1 x.2) \in boundary M)
+     value (bdryT phi) (half_facet o x.1 x.2) = 0.
 Proof.
-move=> co alt; rewrite -[LHS](interior_cancel co (bdry_alternating alt)).
-rewrite -(pair_bigA _ (fun t i => ev (bdryT phi) (ofac o t i))) /= big1 // => t _.
-rewrite -[RHS](bdryT_bdryT phi (o t)); apply: eq_bigr => i _.
-by rewrite /ev /= signr_odd.
+move=> co alt; rewrite -(T10_boundary_chain co (bdry_alternating alt)).
+rewrite -(pair_bigA _ (fun t i => value (bdryT phi) (half_facet o t i))) /= big1 // => t _.
+rewrite /value /half_facet /=; under eq_bigr do rewrite signr_addb -mulrA signr_odd.
+by rewrite -mulr_sumr [X in _ * X](bdryT_bdryT phi (o t)) mulr0.
 Qed.
 
-Corollary T10_oriented_unglue n (V T : finType) (M : complex n.+1 V T) (o : ordering M) C
-  (R : numDomainType) (phi : n.-tuple (prod_finType V T) -> R) :
-  coherent o -> alternating phi ->
-  \sum_(x | ~~ interior (rord o (copyK M C)) x)
-    (-1) ^+ odd x.2 * bdryT phi (fac (rord o (copyK M C)) x.1 x.2) = 0.
-Proof. by move=> co; apply: T10_oriented; exact: T2_coherent. Qed.
+(* T10: nor has it after unglue, for any cut.                                 *)
+Theorem T10_oriented_unglue n (V T : finType) (M : complex n.+1 V T) (o : orientation M) C
+    (R : numDomainType) (phi : n.-tuple (prod_finType V T) -> R) :
+  let o' := relabelled_orientation o (copyK M C) in coherent o -> alternating phi ->
+  \sum_(x : T * 'I_n.+2 | oset (half_facet o' x.1 x.2) \in boundary (unglue M C))
+     value (bdryT phi) (half_facet o' x.1 x.2) = 0.
+Proof. by move=> o' co; apply: T10_oriented; exact: T2_coherent. Qed.
