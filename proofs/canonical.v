@@ -354,14 +354,14 @@ End Canonical.
 
 (* Corners are numbered cell by cell, in each cell as the file lists it.      *)
 Section CornerNumber.
-Variables (n : nat) (V T : finType) (M : complex n V T) (o : ordering M).
+Variables (n : nat) (V T : finType) (M : complex n V T) (o : orientation M).
 
 Definition corner_number (x : V * T) : nat := n.+1 * enum_rank x.2 + index x.1 (o x.2).
 
 Lemma corner_number_inj : {in corner M &, injective corner_number}.
 Proof.
 have mem x : x \in corner M -> x.1 \in o x.2.
-  by move=> cx; have : x.1 \in M x.2 by []; rewrite -(ord_set o) inE.
+  by rewrite mem_tuple_of.
 move=> [v t] [w u] /mem vt /mem wu; rewrite /corner_number /= => e.
 have lt x : x.1 \in o x.2 -> index x.1 (o x.2) < n.+1 by rewrite -index_mem size_tuple.
 have et : t = u.
