@@ -381,7 +381,7 @@ Proof.
 move=> r s s' e t; apply/eq_in_map => v vt.
 have ok st : sound M (run M (start V T) st) by exact/sound_run/sound_start.
 have [same _] := T12_canonical corner_number_inj (ok steps) (ok steps') e.
-by apply: same; rewrite unfold_in /corner -(ord_set o) inE.
+by apply: same; rewrite unfold_in /corner -(mem_tuple_of o).
 Qed.
 
 End CornerNumber.
