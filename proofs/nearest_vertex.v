@@ -149,7 +149,8 @@ Implicit Types (A f : {set V}) (a b c d v w : V) (t u : T).
 (* |height| go to the lesser id, sides may be chosen in any way for vertices  *)
 (* on the plane.  No position of the plane is excepted.                       *)
 Theorem theoremA_by_id (id : V -> nat) (side : V -> bool) t u :
-  injective id -> (0 < n)%N -> connect (adjacent (unglue M (nearest_cut M side (nearer h id)))) t u ->
+  injective id -> (0 < n)%N ->
+  connect (adjacent (unglue M (nearest_cut M side (nearer h id)))) t u ->
   far_side side (nearer h id) (M t) = far_side side (nearer h id) (M u).
 Proof.
 move=> id_inj; apply: theoremA_separates; first exact: nearer_total.
@@ -232,3 +233,53 @@ have -> : plane_cut = nearest_cut M upper (nearer h rank).
 exact: theoremA_by_id.
 Qed.
 End Plane.
+
+(* Two triangles 012 and 013 with heights 1, -1, 2, -2: the middle of their   *)
+(* common edge is on the plane, their labels differ, and both select it.  So  *)
+(* Theorem A needs general position if both ends of a tie are put in.         *)
+Section TiesCounterexample.
+Definition two_triangles (t : bool) : {set 'I_4} := [set~ if t then inord 2 else inord 3].
+
+Lemma card_two_triangles t : #|two_triangles t| = 3%N.
+Proof. by rewrite cardsC1 card_ord. Qed.
+
+Lemma two_triangles_inj : injective two_triangles.
+Proof. by case=> [] [] // /setP/(_ (inord 2)); rewrite !inE -!val_eqE /= !inordK. Qed.
+
+Definition tied_triangles : complex 2 [finType of 'I_4] [finType of bool] :=
+  Complex card_two_triangles two_triangles_inj.
+Definition tied_heights (v : 'I_4) : rat := nth 0 [:: 1; -1; 2%:R; -2%:R] v.
+Local Notation M := tied_triangles.
+Local Notation h := tied_heights.
+
+Lemma in_tied v t : (v \in M t) = (v != (if t then 2 else 3)%N :> nat).
+Proof. by rewrite !inE -val_eqE; case: t; rewrite /= inordK. Qed.
+
+Theorem ties_counterexample :
+  let f := common M false true in
+  [/\ adjacent M false true, plane_selects M h false f, plane_selects M h true f,
+      extremes h (M false) (inord 2) (inord 1) /\ 0 < h (inord 2) + h (inord 1) &
+      extremes h (M true) (inord 0) (inord 3) /\ h (inord 0) + h (inord 3) < 0].
+Proof.
+have fE : common M false true = [set v : 'I_4 | (v < 2)%N].
+  by apply/setP; case=> [[|[|[|[|]]]] lt] //; rewrite inE !in_tied inE.
+have cf : #|common M false true| = 2%N.
+  rewrite fE (_ : [set v : 'I_4 | _] = [set inord 0; inord 1]) ?cards2 -?val_eqE /= ?inordK //.
+  by apply/setP; case=> [[|[|[|[|]]]] lt] //; rewrite !inE -!val_eqE /= !inordK.
+have e0 : extremes h (M false) (inord 2) (inord 1).
+  apply/and3P; split; rewrite ?in_tied ?inordK //; apply/forall_inP => v.
+  by rewrite in_tied; case: v => [[|[|[|[|]]]] lt] //; rewrite /h !inordK.
+have e1 : extremes h (M true) (inord 0) (inord 3).
+  apply/and3P; split; rewrite ?in_tied ?inordK //; apply/forall_inP => v.
+  by rewrite in_tied; case: v => [[|[|[|[|]]]] lt] //; rewrite /h !inordK.
+rewrite /adjacent /plane_selects cf; split=> //.
+- rewrite andbT (lemma1_mended _ e0) ?card_vertices // fE; apply/eqP/setP.
+  move=> v; rewrite [LHS]in_set [RHS]in_set in_tied.
+  by case: v => [[|[|[|[|]]]] lt] //; rewrite /h !inordK.
+- rewrite andbT (lemma1_mended _ e1) ?card_vertices // fE; apply/eqP/setP.
+  move=> v; rewrite [LHS]in_set [RHS]in_set in_tied.
+  by case: v => [[|[|[|[|]]]] lt] //; rewrite /h !inordK.
+- by split=> //; rewrite /h !inordK.
+- by split=> //; rewrite /h !inordK.
+Qed.
+End TiesCounterexample.
