@@ -8,9 +8,10 @@
 (*     star_adjacent M v == cells that share a facet with v                   *)
 (*   two_sided M C v lab == in the star of v the facets of C are those        *)
 (*                          between cells of different labels                 *)
-(*           marks M C t u == the facet of t and u is in C                    *)
-(*          opens M C v t u == the corners of t and u at v are not glued any  *)
+(*         marks M C t u == the facet of t and u is in C                    *)
+(*       opens M C v t u == the corners of t and u at v are not glued any     *)
 (*                          more, so their common facet is open               *)
+(*          degree M C r == the number of facets of M in C that contain r     *)
 (* simply_connected_star M v == a parity on the steps from cell to cell in    *)
 (*                          the star of v that is even on the loop around     *)
 (*                          each ridge at v is even on every closed walk.     *)
@@ -100,13 +101,14 @@ Qed.
 
 Hypothesis pm : pseudo_manifold M.
 
-Definition degree r := #|[set f in C | (f \in facets M) && (r \subset f)]|.
+Definition facets : {set {set V}} := [set f : {set V} | (#|f| == n) && (0 < #|cofaces M f|)].
+Definition degree r := #|[set f in C :&: facets | r \subset f]|.
 
 Lemma degree_loop r s : #|r|.+1 = n -> dual_loop M r s -> odd (degree r) = loop_parity marks s.
 Proof.
 move=> cr loop; have marks_sym' : symmetric_parity M marks by move=> t u _; exact: marks_sym.
 rewrite -(theoremB_degree pm cr loop marks_sym'); congr odd; apply: eq_card => f.
-rewrite !inE; apply/and3P/andP => [[fC /andP[/eqP cf /card_gt0P[t ft]] rf]|].
+rewrite !inE; apply/andP/andP => [[/andP[fC /andP[/eqP cf /card_gt0P[t ft]]] rf]|].
   rewrite inE in ft; split=> //; have [us _ cyc sE] := loop.
   have ts : t \in s by rewrite sE (subset_trans rf ft).
   apply/existsP; exists t; apply/existsP.
@@ -115,7 +117,7 @@ rewrite !inE; apply/and3P/andP => [[fC /andP[/eqP cf /card_gt0P[t ft]] rf]|].
   rewrite /marks -fE eqxx fC adjacentC; suff /andP[-> _] : around M r (prev s t) t by [].
   exact: prev_cycle.
 move=> [/existsP[t /existsP[u /and3P[tu /eqP<- C_tu]]] rf]; split=> //.
-by rewrite (eqP tu) eqxx; apply/card_gt0P; exists t; rewrite inE subsetIl.
+by apply/and3P; split=> //; apply/card_gt0P; exists t; rewrite inE subsetIl.
 Qed.
 
 (* Theorem C, when the link of v is a sphere or a disk: it is enough that     *)
