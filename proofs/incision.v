@@ -218,8 +218,8 @@ Qed.
 
 Inductive step := Cut of {set {set V}} | Stitch of {set {set V}}.
 
-Definition take s st := match st with Cut F => cut s F | Stitch F => stitch s F end.
-Definition run := foldl take.
+Definition make s st := match st with Cut F => cut s F | Stitch F => stitch s F end.
+Definition run := foldl make.
 
 Lemma sound_run s steps : sound s -> sound (run s steps).
 Proof.
@@ -292,21 +292,6 @@ move=> ok; split; apply: sound_isomorphic => //=.
 - exact/sound_stitch/sound_cut.
 - by apply/setP=> f; rewrite !inE; case: (f \in scored s); case: (f \in F).
 - exact/sound_cut/sound_stitch.
-- by apply/setP=> f; rewrite !inE; case: (f \in scored s); case: (f \in F).
-Qed.
-
-(* T12: to redo either is to do it again with the same facets.                *)
-Theorem T12_redo s F : sound s ->
-  isomorphic (now (cut (stitch (cut s F) (F :\: scored s)) (F :\: scored s))) (now (cut s F)) /\
-  isomorphic (now (stitch (cut (stitch s F) (F :&: scored s)) (F :&: scored s)))
-             (now (stitch s F)).
-Proof.
-move=> ok; split; apply: sound_isomorphic => /=.
-- exact/sound_cut/sound_stitch/sound_cut.
-- exact: sound_cut.
-- by apply/setP=> f; rewrite !inE; case: (f \in scored s); case: (f \in F).
-- exact/sound_stitch/sound_cut/sound_stitch.
-- exact: sound_stitch.
 - by apply/setP=> f; rewrite !inE; case: (f \in scored s); case: (f \in F).
 Qed.
 
