@@ -233,7 +233,7 @@ have steps : cycle (fun a b => closes o (c a) (c b)) (t :: p).
 have seen : labelling (fun a b => closes o (c a) (c b)) towards (fun a => cross o (c a)).
   by move=> a b; exact: closesE.
 by rewrite /loop_parity (labelling_walk seen steps) last_rcons addbb.
-Admitted.
+Qed.
 
 (* Theorem B: a sweep whose rim passes through no triangle that some point o  *)
 (* spans with a dual edge selects exactly the facets between two sets of      *)
