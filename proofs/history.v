@@ -17,7 +17,10 @@
 (*            undo M h == Incision::undo; h itself if there is no step (there *)
 (*                        the library throws)                                 *)
 (*            redo M h == Incision::redo, likewise                            *)
-(*         reached M h == h comes from the beginning by these three           *)
+(*         reached M h == h comes from the beginning by these three.          *)
+(*                        Incision::forget_steps, which drops steps and leaves*)
+(*                        the state, is left out: T12_history_start needs     *)
+(*                        every step there was.                               *)
 (******************************************************************************)
 From mathcomp Require Import all_ssreflect.
 From Cleave Require Import complex isomorphism unglue incision.
@@ -115,12 +118,10 @@ Qed.
 
 Lemma reached_sound h : cut_regular M -> reached h -> sound M (state h).
 Proof.
-move=> r; have sound_make s st : sound M s -> sound M (make M s st).
-  by case: st => F ok; [exact: sound_cut | exact: sound_stitch].
-elim=> {h} [|h st _ ok|h _ ok|h _ ok]; first exact: sound_start.
-  - by rewrite /perform; case: eqP => // _; exact: sound_make.
-  - by rewrite /undo; case: (done h) => [|st l] //=; exact: sound_make.
-by rewrite /redo; case: (undone h) => [|st l] //=; exact: sound_make.
+move=> r; elim=> {h} [|h st _ ok|h _ ok|h _ ok]; first exact: sound_start.
+- by rewrite /perform; case: eqP => // _; exact: sound_make.
+- by rewrite /undo; case: (done h) => [|st l] //=; exact: sound_make.
+- by rewrite /redo; case: (undone h) => [|st l] //=; exact: sound_make.
 Qed.
 
 (* T12: with undo and redo, too, the state is unglue of the original by the

@@ -221,12 +221,11 @@ Inductive step := Cut of {set {set V}} | Stitch of {set {set V}}.
 Definition make s st := match st with Cut F => cut s F | Stitch F => stitch s F end.
 Definition run := foldl make.
 
+Lemma sound_make s st : sound s -> sound (make s st).
+Proof. by case: st => F; [exact: sound_cut | exact: sound_stitch]. Qed.
+
 Lemma sound_run s steps : sound s -> sound (run s steps).
-Proof.
-elim: steps s => [|[] F steps IH] s ok //=; apply: IH.
-  exact: sound_cut.
-exact: sound_stitch.
-Qed.
+Proof. by elim: steps s => //= st steps IH s /(sound_make st); exact: IH. Qed.
 
 Section Theorems.
 Variable t0 : T.
