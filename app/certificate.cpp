@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <system_error>
+#include <utility>
 
 namespace cleave::app {
 namespace {
@@ -140,8 +141,8 @@ void write_certificate(const Certificate& certificate,
   out.flush();
 }
 
-CertificateFile::CertificateFile(const std::filesystem::path& path)
-    : text_(input_at(path)), certificate_(read(text_)) {}
+CertificateFile::CertificateFile(InputText text)
+    : text_(std::move(text)), certificate_(read(text_)) {}
 
 void CertificateFile::fail_at_cell(std::size_t cell, const std::string& message) const {
   fail_at_word(kWordsBeforeCells + cell * certificate_.corners(), message);

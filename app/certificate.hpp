@@ -1,7 +1,6 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -30,10 +29,10 @@ void write_certificate(const Certificate& certificate,
 /// A certificate as it was read.
 class CertificateFile {
  public:
-  /// `path` may be "-", standard input. Throws InputError (file, line, what) for everything that is
-  /// not a certificate word for word, and for dimensions that are not 1 to 4. What the numbers mean
-  /// is not its business. Time and memory: linear in the file, whatever counts it claims.
-  explicit CertificateFile(const std::filesystem::path& path);
+  /// Throws InputError (file, line, what) for everything that is not a certificate word for word,
+  /// and for dimensions that are not 1 to 4. What the numbers mean is not its business. Time and
+  /// memory: linear in the text, whatever counts it claims.
+  explicit CertificateFile(InputText text);
 
   const Certificate& certificate() const { return certificate_; }
 

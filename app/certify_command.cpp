@@ -38,7 +38,7 @@ std::string json_of(const Certificate& certificate,
 }
 
 int judge(const CertifyOptions& options) {
-  const CertificateFile file(options.file);
+  const CertificateFile file(input_at(options.file));
   const auto rejection = certify(file);
   if (!options.json.empty()) write_report(options.json, json_of(file.certificate(), rejection));
   if (options.json != "-")

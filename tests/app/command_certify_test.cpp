@@ -21,7 +21,7 @@ class Certify : public CutTest {
     const Outcome outcome = cleave({"certify", certificate});
     EXPECT_EQ(outcome.out, "accepted\n") << outcome.err;
     EXPECT_EQ(outcome.status, 0);
-    const CertificateFile file(folder_ / certificate);
+    const CertificateFile file(InputText(folder_ / certificate));
     EXPECT_EQ(file.certificate().before, numbers_of(original));
     EXPECT_EQ(file.certificate().after, numbers_of(out));
     EXPECT_EQ(file.certificate().facet_count(), facets);
