@@ -3,7 +3,7 @@
 (* about it.                                                                  *)
 (*                                                                            *)
 (*            nats rows == the rows with vertex p as the natural number p - 1 *)
-(*                         (num p); exec.v makes complexes of these           *)
+(*                         (num p); listed_complex.v makes of these           *)
 (*         set_of s     == the vertices listed in s, as a set                 *)
 (*          corner_of x == the number of corner x                             *)
 (*         fits nv rows == all vertices are below nv                          *)
@@ -17,7 +17,7 @@
 (******************************************************************************)
 From Coq Require Import PArith FMapPositive.
 From mathcomp Require Import all_ssreflect.
-From Cleave Require Import complex unglue exec tries quick_find half_facets listed prepare.
+From Cleave Require Import complex unglue listed_complex tries quick_find half_facets listed prepare.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -14,7 +14,7 @@
 (******************************************************************************)
 From Coq Require Import PArith FMapPositive.
 From mathcomp Require Import all_ssreflect.
-From Cleave Require Import complex unglue certify exec tries quick_find half_facets listed.
+From Cleave Require Import complex unglue certify listed_complex tries quick_find half_facets listed.
 From Cleave Require Import prepare denote certify_exec.
 Set Implicit Arguments.
 Unset Strict Implicit.

@@ -11,6 +11,7 @@
 #include "cleave/topology/unglue.hpp"
 #include "properties.hpp"
 #include "rational.hpp"
+#include "rim.hpp"
 
 namespace cleave::cutting {
 namespace {
@@ -147,39 +148,6 @@ void sweeps_add_up() {
 
 RC_GTEST_PROP(TheoremBProperty, SweepsAddUpInThePlane, ()) { sweeps_add_up<2>(); }
 RC_GTEST_PROP(TheoremBProperty, SweepsAddUpInSpace, ()) { sweeps_add_up<3>(); }
-
-/// The faces of codimension 1 that an odd number of simplices have: where the sweep ends.
-template <int D>
-std::vector<std::vector<Point<D>>> rim(const Sweep<D>& sweep) {
-  std::set<std::vector<Point<D>>> odd;
-  for (const auto& simplex : sweep.simplices)
-    for (std::size_t left_out = 0; left_out < simplex.size(); ++left_out) {
-      std::vector<Point<D>> face;
-      for (std::size_t i = 0; i < simplex.size(); ++i)
-        if (i != left_out) face.push_back(simplex[i]);
-      std::sort(face.begin(), face.end());
-      if (!odd.insert(face).second) odd.erase(face);
-    }
-  return {odd.begin(), odd.end()};
-}
-
-template <int D>
-Box<D> box_around(const std::vector<Point<D>>& points, double margin) {
-  Box<D> box{points.front(), points.front()};
-  for (const Point<D>& p : points)
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      box.low[i] = std::min(box.low[i], p[i] - margin);
-      box.high[i] = std::max(box.high[i], p[i] + margin);
-    }
-  return box;
-}
-
-template <int D>
-bool disjoint(const Box<D>& a, const Box<D>& b) {
-  for (std::size_t i = 0; i < a.low.size(); ++i)
-    if (a.high[i] < b.low[i] || b.high[i] < a.low[i]) return true;
-  return false;
-}
 
 /// For each ridge: its cells' vertices, and whether a boundary facet contains it.
 struct Surroundings {
