@@ -327,7 +327,7 @@ def spoilings(rows):
         ("a row with a cell too few", "other columns", edit("CLAIMS.md", t7.line, "| T7 | proved |")),
         ("a verdict that is none", "is no verdict", verdict(proved, "correct")),
         ("proved by nothing", "proved, but", without(proved, r"`\w+\.v:\w+`")),
-        ("tested by nothing", "tested, but", without(tested, r"`[A-Z]\w*\.[A-Z]\w*`")),
+        ("tested by nothing", "tested, but", without(tested, r"`\w+\.[A-Za-z]\w*`")),
         ("measured nowhere", "measured, but", verdict(open_, "measured")),
         ("refuted without a picture", "no picture of", without(refuted, r"!\[[^\]]*\]\([^)]*\)")),
         ("refuted without a counterexample", "neither a theorem", without(refuted, r"`[^`]*`")),
