@@ -12,7 +12,7 @@
 (* Main theorem: theoremC_counterexample                                      *)
 (******************************************************************************)
 From mathcomp Require Import all_ssreflect.
-From Cleave Require Import complex unglue boundary exec examples parity dual_edge star_opening.
+From Cleave Require Import complex unglue boundary listed_complex regular_exec parity dual_edge star_opening.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -117,7 +117,7 @@ rewrite (in_ecut _ collar_facets) /= !inE => /or3P[] /eqP->.
 - exact: (shares 6 7).
 Qed.
 
-Lemma collar_regular : regular M C. Proof. by apply/regbP; vm_compute. Qed.
+Lemma collar_regular : regular M C. Proof. by apply: regular_by; vm_compute. Qed.
 
 (* Theorem C, why even is not enough: the facets of C are interior, every     *)
 (* ridge at the apex is in an even number of them, and every two cells that   *)
