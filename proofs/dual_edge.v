@@ -6,9 +6,12 @@
 (* of adjacent cells.                                                         *)
 (*        dual_cut M x == the selected facets                                 *)
 (*      around M r t u == t and u share a facet that contains the ridge r     *)
-(*     dual_loop M r s == s lists the cells around r, each once, so that each *)
-(*                        shares a facet with r with the next, and the last   *)
-(*                        with the first: r is inside, its star not pinched   *)
+(*   loop_around M r s == s lists at least three cells, each once, of which   *)
+(*                        each shares a facet that contains r with the next,  *)
+(*                        and the last with the first                         *)
+(*     dual_loop M r s == so, and these are all cells around r: r is inside   *)
+(*                        the body, and not pinched                           *)
+(*    facets_along M s == the facets that the loop s passes                   *)
 (*   coboundary M C lab == the facets of C are those between different labels *)
 (*  closes cross o p q == the segments of the triangle o p q cross the sweep  *)
 (*                        an even number of times; so it is if the rim of the *)
@@ -16,8 +19,9 @@
 (*                        for the library's predicate, tests/cutting)         *)
 (*       towards cross c == the parity between the dual points c t of cells   *)
 (* Main theorems:                                                             *)
-(*       theoremB_degree == the number of selected facets at r has the parity *)
-(*                          of the crossings of the loop around r             *)
+(* theoremB_loop, theoremB_degree == the number of selected facets along a    *)
+(*                          loop, or of those at r, has the parity of the     *)
+(*                          crossings of the loop                             *)
 (*         theoremB_even == it is even if the rim avoids the triangles that a *)
 (*                          point spans with the steps of that loop           *)
 (*    theoremB_labelling == the selected facets are those between two sets of *)
@@ -41,8 +45,9 @@ Implicit Types (t u w : T) (f r : {set V}) (s p : seq T) (x y : T -> T -> bool).
 Definition dual_cut x : {set {set V}} :=
   [set f | [exists t, exists u, [&& adjacent M t u, common M t u == f & x t u]]].
 Definition around r : rel T := fun t u => adjacent M t u && (r \subset common M t u).
-Definition dual_loop r s :=
-  [/\ uniq s, 2 < size s, cycle (around r) s & forall t, (t \in s) = (r \subset M t)].
+Definition loop_around r s := [/\ uniq s, 2 < size s & cycle (around r) s].
+Definition dual_loop r s := loop_around r s /\ forall t, (t \in s) = (r \subset M t).
+Definition facets_along s : {set {set V}} := [set common M t (next s t) | t in s].
 Definition coboundary (C : {set {set V}}) (lab : T -> bool) :=
   forall t u, adjacent M t u -> (common M t u \in C) = (lab t != lab u).
 
@@ -99,52 +104,23 @@ Proof. by move=> xs ys tu; rewrite !dual_cutP // => a b ab; rewrite xs // ys. Qe
 
 Section Loop.
 Variables (r : {set V}) (s : seq T).
-Hypotheses (card_r : #|r|.+1 = n) (loop : dual_loop r s).
+Hypotheses (card_r : #|r|.+1 = n) (loop : loop_around r s).
 
 Lemma next_around t : t \in s -> around r t (next s t).
-Proof. by case: loop => _ _ cyc _; exact: next_cycle. Qed.
+Proof. by case: loop => _ _ cyc; exact: next_cycle. Qed.
+
+Lemma prev_around t : t \in s -> around r t (prev s t).
+Proof.
+by case: loop => _ _ cyc /(prev_cycle cyc); rewrite /around adjacentC commonC.
+Qed.
 
 Lemma next_next t : t \in s -> next s (next s t) != t.
 Proof.
-case: loop => us s2 _ _ ts; have [i s' sE] := rot_to ts.
+case: loop => us s2 _ ts; have [i s' sE] := rot_to ts.
 rewrite -!(next_rot i us) sE; move: us s2; rewrite -(rot_uniq i) -(size_rot i) sE.
 case: s' {sE} => [|u [|w s']] //= /and3P[]; rewrite !inE !negb_or.
 move=> /and3P[tu tw _] /andP[uw _] _ _.
 by rewrite eqxx [u == t]eq_sym (negPf tu) eqxx eq_sym.
-Qed.
-
-(* A cell has two facets at r, those that it shares with its neighbours on    *)
-(* the loop.                                                                  *)
-Lemma loop_facets t f : t \in s -> #|f| = n -> r \subset f -> f \subset M t ->
-  f = common M t (next s t) \/ f = common M t (prev s t).
-Proof.
-move=> ts cf rf ft; have [us _ cyc sE] := loop.
-have /andP[tn rn] := next_around ts.
-have /andP[pt rp] : around r (prev s t) t by exact: prev_cycle.
-rewrite adjacentC in pt; rewrite commonC in rp.
-have np : common M t (next s t) != common M t (prev s t).
-  apply/eqP => /(common_inj tn pt) e; have := next_next ts.
-  by rewrite e next_prev // eqxx.
-have F2 : [set common M t (next s t); common M t (prev s t)] =
-          [set g : {set V} | [&& #|g| == n, r \subset g & g \subset M t]].
-  apply/eqP; rewrite eqEcard (two_facets card_r (subset_trans rf ft)) cards2 np andbT.
-  apply/subsetP => g; rewrite !inE => gE.
-  by apply/and3P; case/orP: gE => /eqP->; split; rewrite ?subsetIl.
-have: f \in [set common M t (next s t); common M t (prev s t)].
-  by rewrite F2 inE cf eqxx rf ft.
-by rewrite !inE => /orP[]/eqP; [left | right].
-Qed.
-
-Lemma loop_neighbours t u : around r t u -> u = next s t \/ t = next s u.
-Proof.
-case/andP=> tu rf; have [us _ cyc sE] := loop.
-have ts : t \in s by rewrite sE (subset_trans rf) ?subsetIl.
-have /andP[tn _] := next_around ts.
-have /andP[pt _] : around r (prev s t) t by exact: prev_cycle.
-rewrite adjacentC in pt; have cf : #|common M t u| = n by exact/eqP.
-have [|/(common_inj tu pt)->] := loop_facets ts cf rf (subsetIl _ _).
-  by move/(common_inj tu tn); left.
-by right; rewrite next_prev.
 Qed.
 
 Lemma next_common_inj : {in s &, injective (fun t => common M t (next s t))}.
@@ -159,27 +135,76 @@ apply: (two_cells cf fu _ _ (adjacent_neq un)); rewrite ?subsetIl 1?eq_sym //.
 by rewrite e subsetIr.
 Qed.
 
-(* Theorem B: the number of selected facets at a ridge has the parity of the  *)
-(* crossings along the loop around it.                                        *)
-Theorem theoremB_degree x : symmetric_parity x ->
-  odd #|[set f in dual_cut x | r \subset f]| = loop_parity x s.
+(* Theorem B: the number of selected facets that a loop around a ridge passes *)
+(* has the parity of the crossings of the loop. A pinched ridge has several   *)
+(* loops; this holds for each.                                                *)
+Theorem theoremB_loop x : symmetric_parity x ->
+  odd #|dual_cut x :&: facets_along s| = loop_parity x s.
 Proof.
-move=> x_sym; have [us _ _ sE] := loop; rewrite loop_parityE //.
-have -> : [set f in dual_cut x | r \subset f] =
+move=> x_sym; have [us _ _] := loop; rewrite loop_parityE //.
+have -> : dual_cut x :&: facets_along s =
           [set common M t (next s t) | t in [set t in s | x t (next s t)]].
-  apply/setP => f; rewrite 2!inE; apply/andP/imsetP; last first.
-    move=> [t]; rewrite inE => /andP[ts xt] ->; have /andP[tn rn] := next_around ts.
-    by split=> //; apply/existsP; exists t; apply/existsP; exists (next s t); rewrite tn eqxx.
-  move=> [/existsP[t /existsP[u /and3P[tu /eqP<- xtu]]] rf].
-  have ts : t \in s by rewrite sE (subset_trans rf) ?subsetIl.
-  have us' : u \in s by rewrite sE (subset_trans rf) ?subsetIr.
-  case: (@loop_neighbours t u) => [|un|tn]; first by rewrite /around tu.
-    by exists t; [rewrite inE ts -un | rewrite -un].
-  by exists u; [rewrite inE us' -tn -x_sym | rewrite -tn commonC].
+  apply/setP => f; apply/setIP/imsetP => [[xf /imsetP[t ts fE]]|[t]]; last first.
+    rewrite inE => /andP[ts xt] ->; have /andP[tn _] := next_around ts.
+    by rewrite dual_cutP //; split=> //; apply/imsetP; exists t.
+  have /andP[tn _] := next_around ts.
+  by exists t; rewrite // inE ts -(dual_cutP x_sym tn) -fE.
 rewrite card_in_imset => [|t u]; last first.
   by rewrite !inE => /andP[ts _] /andP[us' _]; exact: next_common_inj.
 rewrite -size_filter -(card_uniqP (filter_uniq _ us)); congr odd.
 by apply: eq_card => t; rewrite inE mem_filter andbC.
+Qed.
+
+(* A cell has two facets at r, those that it shares with its neighbours on    *)
+(* the loop.                                                                  *)
+Lemma loop_facets t f : t \in s -> #|f| = n -> r \subset f -> f \subset M t ->
+  f = common M t (next s t) \/ f = common M t (prev s t).
+Proof.
+move=> ts cf rf ft; have [us _ _] := loop.
+have [/andP[tn rn] /andP[tp rp]] := (next_around ts, prev_around ts).
+have np : common M t (next s t) != common M t (prev s t).
+  apply/eqP => /(common_inj tn tp) e; have := next_next ts.
+  by rewrite e next_prev // eqxx.
+have F2 : [set common M t (next s t); common M t (prev s t)] =
+          [set g : {set V} | [&& #|g| == n, r \subset g & g \subset M t]].
+  apply/eqP; rewrite eqEcard (two_facets card_r (subset_trans rf ft)) cards2 np andbT.
+  apply/subsetP => g; rewrite !inE => gE.
+  by apply/and3P; case/orP: gE => /eqP->; split; rewrite ?subsetIl.
+have: f \in [set common M t (next s t); common M t (prev s t)].
+  by rewrite F2 inE cf eqxx rf ft.
+by rewrite !inE => /orP[]/eqP; [left | right].
+Qed.
+
+Lemma in_facets_along t f : t \in s -> #|f| = n -> r \subset f -> f \subset M t ->
+  f \in facets_along s.
+Proof.
+move=> ts cf rf ft; have [us _ _] := loop; apply/imsetP.
+have [fE|fE] := loop_facets ts cf rf ft; first by exists t.
+by exists (prev s t); rewrite ?mem_prev // next_prev // commonC.
+Qed.
+
+Lemma loop_neighbours t u : t \in s -> around r t u -> u = next s t \/ t = next s u.
+Proof.
+move=> ts /andP[tu rf]; have [us _ _] := loop.
+have [/andP[tn _] /andP[tp _]] := (next_around ts, prev_around ts).
+have cf : #|common M t u| = n by exact/eqP.
+have [|/(common_inj tu tp)->] := loop_facets ts cf rf (subsetIl _ _).
+  by move/(common_inj tu tn); left.
+by right; rewrite next_prev.
+Qed.
+
+(* Theorem B: for a ridge with a single loop, so whose star is not pinched:   *)
+(* the number of selected facets that contain it.                             *)
+Theorem theoremB_degree x : (forall t, (t \in s) = (r \subset M t)) -> symmetric_parity x ->
+  odd #|[set f in dual_cut x | r \subset f]| = loop_parity x s.
+Proof.
+move=> sE x_sym; rewrite -(theoremB_loop x_sym); congr odd; apply: eq_card => f.
+rewrite inE [RHS]inE; apply: andb_id2l; rewrite inE.
+move=> /existsP[t /existsP[u /and3P[tu /eqP<- _]]]; apply/idP/imsetP => [rf | [w ws ->]].
+  have cf : #|common M t u| = n by exact/eqP.
+  have ts : t \in s by rewrite sE (subset_trans rf) ?subsetIl.
+  by have /imsetP := in_facets_along ts cf rf (subsetIl _ _).
+by have /andP[] := next_around ws.
 Qed.
 End Loop.
 
@@ -216,15 +241,15 @@ rewrite /closes /towards (cross_sym (c u)).
 by case: (cross o (c t)) (cross (c t) (c u)) (cross o (c u)) => [] [] [].
 Qed.
 
-(* Theorem B: a ridge inside the body has an even number of selected facets   *)
+(* Theorem B: a loop around a ridge passes an even number of selected facets  *)
 (* if, for some point o, the rim of the sweep passes through no triangle that *)
-(* o spans with a step of the loop of dual edges around the ridge.            *)
-Theorem theoremB_even r s o : #|r|.+1 = n -> dual_loop M r s ->
+(* o spans with a step of the loop of dual edges.                             *)
+Theorem theoremB_even r s o : loop_around M r s ->
   (forall t, t \in s -> closes o (c t) (c (next s t))) ->
-  ~~ odd #|[set f in dual_cut M towards | r \subset f]|.
+  ~~ odd #|dual_cut M towards :&: facets_along M s|.
 Proof.
-move=> cr loop rim; rewrite (theoremB_degree pm cr loop towards_sym).
-have [us _ _ _] := loop; case: s us rim {loop} => // t p us rim.
+move=> loop rim; rewrite (theoremB_loop pm loop towards_sym).
+have [us _ _] := loop; case: s us rim {loop} => // t p us rim.
 have steps : cycle (fun a b => closes o (c a) (c b)) (t :: p).
   apply: (@sub_in_cycle _ (mem (t :: p)) [rel a b | next (t :: p) a == b]).
   - by move=> a b /rim ab _ /eqP<-.

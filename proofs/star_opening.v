@@ -8,23 +8,23 @@
 (*     star_adjacent M v == cells that share a facet with v                   *)
 (*   two_sided M C v lab == in the star of v the facets of C are those        *)
 (*                          between cells of different labels                 *)
-(*         marks M C t u == the facet of t and u is in C                    *)
+(*         marks M C t u == the facet of t and u is in C                      *)
 (*       opens M C v t u == the corners of t and u at v are not glued any     *)
 (*                          more, so their common facet is open               *)
 (*          degree M C r == the number of facets of M in C that contain r     *)
-(* simply_connected_star M v == a parity on the steps from cell to cell in    *)
+(* simply_connected_star M v == any parity of the steps from cell to cell in  *)
 (*                          the star of v that is even on the loop around     *)
-(*                          each ridge at v is even on every closed walk.     *)
-(*                          So it is if the link of v is a sphere or a disk   *)
-(*                          (its first cohomology with two elements is zero); *)
-(*                          this we assume where it is needed                 *)
+(*                          each ridge at v is even on every closed walk:     *)
+(*                          the link has no first cohomology modulo two. That *)
+(*                          spheres and disks have none is not proved here    *)
 (* Main theorems:                                                             *)
 (*        theoremC == a facet of C at v opens if C is two-sided at v          *)
 (*  theoremC_walks == C is two-sided at v iff every closed walk in the star   *)
 (*                    crosses C an even number of times                       *)
 (*  theoremC_even  == if the star is simply connected, it is enough that each *)
 (*                    ridge at v has an even number of facets of C            *)
-(*   theoremC_loop == for a ridge, so for a vertex if n = 2, even is enough   *)
+(* theoremC_ridge, theoremC_triangles, theoremC_path == nothing is assumed    *)
+(*                    for a ridge, nor for vertices of a mesh of triangles    *)
 (*   theoremC_full == if C are the facets between two sets of cells of the    *)
 (*                    whole complex, all of them open                         *)
 (******************************************************************************)
@@ -106,17 +106,16 @@ Definition degree r := #|[set f in C :&: facets | r \subset f]|.
 
 Lemma degree_loop r s : #|r|.+1 = n -> dual_loop M r s -> odd (degree r) = loop_parity marks s.
 Proof.
-move=> cr loop; have marks_sym' : symmetric_parity M marks by move=> t u _; exact: marks_sym.
-rewrite -(theoremB_degree pm cr loop marks_sym'); congr odd; apply: eq_card => f.
-rewrite !inE; apply/andP/andP => [[/andP[fC /andP[/eqP cf /card_gt0P[t ft]]] rf]|].
-  rewrite inE in ft; split=> //; have [us _ cyc sE] := loop.
-  have ts : t \in s by rewrite sE (subset_trans rf ft).
-  apply/existsP; exists t; apply/existsP.
-  have [fE|fE] := loop_facets pm cr loop ts cf rf ft; [exists (next s t) | exists (prev s t)].
-    by rewrite /marks -fE eqxx fC; have /andP[->] := next_around loop ts.
-  rewrite /marks -fE eqxx fC adjacentC; suff /andP[-> _] : around M r (prev s t) t by [].
-  exact: prev_cycle.
-move=> [/existsP[t /existsP[u /and3P[tu /eqP<- C_tu]]] rf]; split=> //.
+move=> cr [loop sE]; have sym : symmetric_parity M marks by move=> t u _; exact: marks_sym.
+rewrite -(theoremB_loop pm loop sym); congr odd; apply: eq_card => f; rewrite !inE.
+apply/andP/andP => [[/andP[fC /andP[/eqP cf /card_gt0P[t ft]]] rf]|[/existsP[t]]].
+  rewrite inE in ft; have ts : t \in s by rewrite sE (subset_trans rf ft).
+  have along := in_facets_along pm cr loop ts cf rf ft; split=> //.
+  have /imsetP[u us fE] := along; have /andP[un _] := next_around loop us.
+  apply/existsP; exists u; apply/existsP; exists (next s u).
+  by rewrite un -fE eqxx /marks -fE fC.
+move=> /existsP[u /and3P[tu /eqP<- C_tu]] /imsetP[w ws fE].
+have /andP[_ rf] := next_around loop ws; rewrite fE; split=> //; rewrite -fE.
 by apply/and3P; split=> //; apply/card_gt0P; exists t; rewrite inE subsetIl.
 Qed.
 
@@ -137,18 +136,37 @@ move=> sc even tu C_tu; have /theoremC_walks[lab labC] : even_walks (star_adjace
 exact: theoremC labC tu C_tu.
 Qed.
 
-(* For a ridge nothing is left to assume: if its cells form a loop and an     *)
-(* even number of its facets is in C, C is two-sided around it.               *)
-Theorem theoremC_ridge r s : #|r|.+1 = n -> dual_loop M r s -> ~~ odd (degree r) ->
-  exists lab : T -> bool, forall t u, around M r t u -> marks t u = (lab t != lab u).
+(* For a ridge nothing is left to assume: a parity that is even on the loop   *)
+(* of its cells comes from labels of these cells.                             *)
+Lemma ridge_labelling (x : T -> T -> bool) r s : (forall t u, x t u = x u t) ->
+  #|r|.+1 = n -> dual_loop M r s -> loop_parity x s = false ->
+  exists lab, labelling (around M r) x lab.
 Proof.
-move=> cr loop; rewrite (degree_loop cr loop) => /negbTE even; have [us _ _ sE] := loop.
+move=> x_sym cr [loop sE] even; have [us _ _] := loop.
 have [lab labE] := loop_labelling us even; exists lab => t u tu.
 have ts : t \in s by case/andP: tu => _ rf; rewrite sE (subset_trans rf) ?subsetIl.
 have us' : u \in s by case/andP: tu => _ rf; rewrite sE (subset_trans rf) ?subsetIr.
-case: (loop_neighbours pm cr loop tu) => [un|tn].
-  by have := labE t ts; rewrite -un => ->; case: (lab t) (lab u) => [] [].
-by have := labE u us'; rewrite -tn marks_sym => ->; case: (lab t) (lab u) => [] [].
+case: (loop_neighbours pm cr loop ts tu) => [->|->]; first exact: labE.
+by rewrite x_sym addbC; exact: labE.
+Qed.
+
+(* Theorem C around a ridge: if an even number of its facets is in C, C is    *)
+(* two-sided there.                                                           *)
+Theorem theoremC_ridge r s : #|r|.+1 = n -> dual_loop M r s -> ~~ odd (degree r) ->
+  exists lab : T -> bool, forall t u, around M r t u -> marks t u = (lab t != lab u).
+Proof.
+move=> cr loop; rewrite (degree_loop cr loop) => /negbTE even.
+have [lab labE] := ridge_labelling marks_sym cr loop even.
+by exists lab => t u /labE->; case: (lab t) (lab u) => [] [].
+Qed.
+
+(* In a mesh of triangles the star of a vertex inside is simply connected.    *)
+Lemma simply_connected_triangles v s : n = 2 -> dual_loop M [set v] s -> simply_connected_star v.
+Proof.
+move=> n2 loop x x_sym even; have cv : #|[set v]|.+1 = n by rewrite cards1 n2.
+have [lab labE] := ridge_labelling x_sym cv loop (even _ _ cv (set11 v) loop).
+move=> t p tp back; rewrite (@labelling_walk _ (star_adjacent v) x lab) ?back ?addbb //.
+by move=> a b /andP[ab vab]; apply: labE; rewrite /around ab sub1set.
 Qed.
 
 (* Theorem C for triangles, a vertex inside: if the triangles around v form a *)
@@ -156,9 +174,10 @@ Qed.
 Theorem theoremC_triangles v s t u : n = 2 -> dual_loop M [set v] s -> ~~ odd (degree [set v]) ->
   star_adjacent v t u -> marks t u -> opens v t u.
 Proof.
-move=> n2 loop even tu C_tu; have cv : #|[set v]|.+1 = n by rewrite cards1 n2.
-have [lab labE] := theoremC_ridge cv loop even; apply: (@theoremC v lab) tu C_tu.
-by move=> a b /andP[ab vab]; apply: labE; rewrite /around ab sub1set.
+move=> n2 loop even; apply: theoremC_even; first exact: simply_connected_triangles loop.
+move=> r s' cr vr _; suff -> : r = [set v] by [].
+apply/esym/eqP; rewrite eqEcard sub1set vr cards1.
+by rewrite -ltnS cr n2.
 Qed.
 
 (* Theorem C for triangles, a vertex on the boundary: if the triangles around *)
