@@ -448,3 +448,5 @@ Locate rigid_motion.grad_uniq.
 Print Assumptions rigid_motion.grad_uniq.
 Locate star_opening.theoremC_boundary.
 Print Assumptions star_opening.theoremC_boundary.
+Locate torus.torus_not_simply_connected.
+Print Assumptions torus.torus_not_simply_connected.
