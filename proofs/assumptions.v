@@ -352,6 +352,8 @@ Locate dual_edge.theoremB_separates.
 Print Assumptions dual_edge.theoremB_separates.
 Locate dual_edge.theoremB_sum.
 Print Assumptions dual_edge.theoremB_sum.
+Locate dual_edge.theoremB_loop.
+Print Assumptions dual_edge.theoremB_loop.
 Locate dual_edge.theoremB_degree.
 Print Assumptions dual_edge.theoremB_degree.
 Locate dual_edge.theoremB_labelling.
