@@ -19,8 +19,8 @@
 (******************************************************************************)
 From Coq Require Import PArith FMapPositive.
 From mathcomp Require Import all_ssreflect.
-From Cleave Require Import complex unglue certify listed_complex tries quick_find half_facets listed.
-From Cleave Require Import prepare denote.
+From Cleave Require Import complex unglue certify listed_complex tries quick_find half_facets.
+From Cleave Require Import listed prepare denote valid.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -56,9 +56,10 @@ Record search := Search {
 
 Definition look (kv : numbered -> positive * positive) (s : search) (x : numbered) : search :=
   if clash s is Some _ then s else
-  match find (kv x).1 (seen s) with
-  | None => Search (add (kv x).1 ((kv x).2, x.2) (seen s)) None
-  | Some (v, d) => if Pos.eqb v (kv x).2 then s else Search (seen s) (Some (d, x.2))
+  let kvx := kv x in
+  match find kvx.1 (seen s) with
+  | None => Search (add kvx.1 (kvx.2, x.2) (seen s)) None
+  | Some (v, d) => if Pos.eqb v kvx.2 then s else Search (seen s) (Some (d, x.2))
   end.
 
 Definition find_clash kv (rows : seq (seq numbered)) : option (positive * positive) :=
@@ -108,7 +109,8 @@ suff H l : (match clash (foldl (look kv) s0 l) with
          exists2 x, x \in l & kv x = (k, v) /\ x.2 = d
   | Some (c, d) => exists x y, [/\ x \in l, y \in l, (x.2, y.2) = (c, d),
       (kv x).1 = (kv y).1 & (kv x).2 != (kv y).2] end : Prop).
-  have := H (flatten rows); rewrite -/s0; case: clash => [[c d]|[vals _]] // x y /vals ex /vals ey kk.
+  have := H (flatten rows); rewrite -/s0; case: clash => [[c d]|[vals _]] //.
+  move=> x y /vals ex /vals ey kk.
   by move: ex; rewrite kk ey => -[].
 elim/last_ind: l => [|l x]; first by split=> // k v d; rewrite find_empty.
 rewrite -cats1 foldl_cat cats1 /=; move: (foldl _ s0 l) => s; rewrite /look.
@@ -179,10 +181,12 @@ Local Notation M := (ecomplex ok).
 Lemma corner_listed x : corner M x -> (pos x.1, corner_of x) \in flatten (number cells).
 Proof.
 rewrite /corner in_cell => vt; have tl := cell_lt vt.
-by apply/flattenP; exists (row_of cells x.2); [rewrite mem_nth ?size_number | exact: mem_corner_number].
+apply/flattenP; exists (row_of cells x.2); first by rewrite mem_nth ?size_number.
+exact: mem_corner_number.
 Qed.
 
-Lemma listed_corner z : z \in flatten (number cells) -> exists2 x, corner M x & z = (pos x.1, corner_of x).
+Lemma listed_corner z : z \in flatten (number cells) ->
+  exists2 x, corner M x & z = (pos x.1, corner_of x).
 Proof.
 case/flattenP => r /(nthP [::])[t ts <-] zt; rewrite size_number in ts.
 have /andP[z1 /eqP z2] := row_corner_number (wf_uniq ok) zt.
@@ -280,7 +284,8 @@ case: certify_exec => [[[ok pm cf] [la [sz /(_ ok) C]]]|||||] /=.
 - by move=> [_ [_ ne]]; split=> // -[ok [_ _ /ne]].
 - move=> c d [_ [_ [_ R]]]; split=> // -[ok [_ _ _ _ /certify_sound_complete[par _ _]]].
   by have [x [y [cx cy _ _ [e]]]] := R ok; case; exact: par.
-- move=> c d [_ [_ [_ R]]]; split=> // -[ok [_ _ _ _ /certify_sound_complete[_ /uncut_mates_glue b _]]].
+- move=> c d [_ [_ [_ R]]]; split=> // -[ok [_ _ _ _ /certify_sound_complete[_ + _]]].
+  move=> /uncut_mates_glue b.
   by have [_ [x [y [_ _ _ _ [/b]]]]] := R ok.
 - move=> c d [_ [_ [_ R]]]; split=> // -[ok [_ _ _ _ /certify_sound_complete[_ _ con]]].
   by have [_ _ [x [y [cx cy _ _ [e]]]]] := R ok; rewrite con.

@@ -74,7 +74,10 @@ by rewrite IH rev_cons cat_rcons.
 Qed.
 
 Lemma num_advance c row : num (advance c row) = num c + size row.
-Proof. by rewrite /advance; elim: row c => [|v r IH] c /=; rewrite ?addn0 // IH num_succ addSnnS. Qed.
+Proof.
+rewrite /advance; elim: row c => [|v r IH] c /=; first by rewrite addn0.
+by rewrite IH num_succ addSnnS.
+Qed.
 
 Lemma number_vertices rows : [seq [seq x.1 | x <- r] | r <- number rows] = rows.
 Proof.

@@ -54,9 +54,13 @@ have [->|xa] := eqVneq x a; have [->|yb] := eqVneq y b => //=.
 Qed.
 
 Lemma leb_total : total Pos.leb.
-Proof. by move=> p q; apply/orP; case: (Pos.leb_spec p q) => [|/Pos.lt_le_incl/Pos.leb_le]; auto. Qed.
+Proof.
+by move=> p q; apply/orP; case: (Pos.leb_spec p q) => [|/Pos.lt_le_incl/Pos.leb_le]; auto.
+Qed.
 Lemma leb_trans : transitive Pos.leb.
-Proof. by move=> q p r /Pos.leb_le pq /Pos.leb_le qr; apply/Pos.leb_le; exact: Pos.le_trans pq qr. Qed.
+Proof.
+by move=> q p r /Pos.leb_le pq /Pos.leb_le qr; apply/Pos.leb_le; exact: Pos.le_trans pq qr.
+Qed.
 Lemma leb_anti : antisymmetric Pos.leb.
 Proof. by move=> p q /andP[/Pos.leb_le pq /Pos.leb_le qp]; exact: Pos.le_antisym. Qed.
 
@@ -148,7 +152,10 @@ Lemma uniq_key t v : uniq (key (opposite t v)).
 Proof. by rewrite key_opposite filter_uniq // sort_uniq cell_uniq. Qed.
 
 Lemma sorted_key t v : sorted Pos.leb (key (opposite t v)).
-Proof. by rewrite key_opposite sorted_filter //; [exact: leb_trans | exact/sort_sorted/leb_total]. Qed.
+Proof.
+rewrite key_opposite sorted_filter //; first exact: leb_trans.
+exact/sort_sorted/leb_total.
+Qed.
 
 Lemma key_eq t v u w : key (opposite t v) =i key (opposite u w) ->
   key (opposite t v) = key (opposite u w).
@@ -170,7 +177,8 @@ Proof.
 apply: (@map_uniq _ _ (fun f : facet => f.1.2)).
 have fst_facets r : [seq f.1 | f <- facets r] = r.
   by elim: r => //= x r IH; rewrite -map_comp; congr (_ :: _); rewrite -[RHS]IH; apply: eq_map.
-rewrite map_comp; have := number_uniq cells; rewrite /all_facets; elim: (number cells) => //= r rows IH.
+rewrite map_comp; have := number_uniq cells; rewrite /all_facets.
+elim: (number cells) => //= r rows IH.
 rewrite !map_cat !cat_uniq fst_facets => /and3P[ur /hasPn dis /IH->].
 rewrite (perm_uniq (perm_map _ (permEl (perm_sort _ _)))) ur andbT /=.
 apply/hasPn => c cs; rewrite /= (perm_mem (perm_map _ (permEl (perm_sort _ _)))).

@@ -61,9 +61,11 @@ Qed.
 
 Definition ecomplex : complex n [finType of 'I_nv] [finType of 'I_nt] := Complex ecard evert_inj.
 Definition ecut : {set {set 'I_nv}} :=
-  [set f | has (fun g => f == [set v : 'I_nv | val v \in g]) [seq g <- cut | all (fun v => v < nv) g]].
+  [set f | has (fun g => f == [set v : 'I_nv | val v \in g])
+             [seq g <- cut | all (fun v => v < nv) g]].
 
-Lemma ecommon t u : common ecomplex t u = [set v : 'I_nv | val v \in shared (cell cs t) (cell cs u)].
+Lemma ecommon t u :
+  common ecomplex t u = [set v : 'I_nv | val v \in shared (cell cs t) (cell cs u)].
 Proof. by apply/setP=> v; rewrite !inE mem_filter andbC. Qed.
 
 Lemma shared_ok (t u : 'I_nt) : uniq (shared (cell cs t) (cell cs u)) /\

@@ -82,7 +82,8 @@ Lemma cell_problemE cells :
   isSome (first_some cell_problem (number cells)) = ~~ all uniq cells.
 Proof.
 rewrite first_someE -has_predC -[in RHS](number_vertices cells) has_map.
-apply: eq_has => r /=; rewrite /cell_problem -(perm_uniq (perm_map _ (permEl (perm_sort by_vertex r)))).
+apply: eq_has => r /=; rewrite /cell_problem.
+rewrite -(perm_uniq (perm_map _ (permEl (perm_sort by_vertex r)))).
 rewrite -repeatedE; last by apply: sort_sorted => x y; exact: leb_total.
 by case: repeated => [[]|].
 Qed.
@@ -91,13 +92,12 @@ Lemma read_cutP t cut (c := read_cut t cut) :
   (stray c = None <-> forall row, row \in cut -> bucket (sort Pos.leb row) t != [::]) /\
   forall k, isSome (find_trie k (in_cut c)) = (k \in [seq sort Pos.leb row | row <- cut]).
 Proof.
-rewrite {}/c /read_cut; elim/last_ind: cut => [|cut row [IH inc]].
+rewrite {}/c /read_cut; set none := Cutting _ _ _; elim/last_ind: cut => [|cut row [IH inc]].
   by split=> // k; rewrite find_trie_empty.
 rewrite -cats1 foldl_cat cats1; split=> /= [|k]; last first.
   by rewrite find_add_trie map_rcons mem_rcons inE; case: (k == _) => //=; exact: inc.
 case S: stray => [p|].
-  split=> // H; suff : stray (foldl (add_cut t) (Cutting (empty_trie bool) 1%positive None) cut) = None.
-    by rewrite S.
+  split=> // H; suff : stray (foldl (add_cut t) none cut) = None by rewrite S.
   by apply/IH => r rc; apply: H; rewrite mem_rcons inE rc orbT.
 have {}IH := IH.1 S; case B: (bucket _ _) => [|f fs].
   by split=> // /(_ row); rewrite mem_rcons inE eqxx B => /(_ isT).

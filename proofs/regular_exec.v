@@ -13,8 +13,8 @@
 (******************************************************************************)
 From Coq Require Import PArith FMapPositive.
 From mathcomp Require Import all_ssreflect.
-From Cleave Require Import complex unglue listed_complex tries quick_find half_facets listed.
-From Cleave Require Import prepare denote certify_exec.
+From Cleave Require Import complex unglue listed_complex tries quick_find half_facets.
+From Cleave Require Import listed prepare denote valid certify_exec.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -33,7 +33,8 @@ rewrite /regular_exec; case P: prepare => [//|p] [<-].
 have [-> _ _ names] := prepare_edges ok P.
 have := find_clashP (fun x => (x.1, name (classes_of (edges p)) x.2)) (number cells).
 case: find_clash => [[c d] bad|same]; constructor.
-  case: bad => x [y [xl yl _ /= e ne]]; have [x' cx xE] := listed_corner ok xl; have [y' cy yE] := listed_corner ok yl.
+  case: bad => x [y [xl yl _ /= e ne]]; have [x' cx xE] := listed_corner ok xl.
+  have [y' cy yE] := listed_corner ok yl.
   rewrite xE yE /= in e ne => r; case/negP: ne; rewrite names // copy_eq.
   case: x' y' cx cy e {xE yE} => v t [w u] /= vt wu /pos_inj e; subst w; exact: r.
 move=> v t u vt vu; rewrite -copy_eq -names //; apply/eqP.

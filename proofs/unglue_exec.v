@@ -14,8 +14,8 @@
 (******************************************************************************)
 From Coq Require Import PArith FMapPositive.
 From mathcomp Require Import all_ssreflect.
-From Cleave Require Import complex unglue certify listed_complex tries quick_find half_facets listed.
-From Cleave Require Import prepare denote certify_exec.
+From Cleave Require Import complex unglue certify listed_complex tries quick_find half_facets.
+From Cleave Require Import listed prepare denote valid certify_exec.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -110,7 +110,8 @@ Qed.
 
 Lemma result_at x : corner M x -> vertex_after cells result x = rename (corner_of x).
 Proof.
-rewrite /corner in_cell => vt; have tl : x.2 < size (number cells) by rewrite size_number (cell_lt vt).
+rewrite /corner in_cell => vt.
+have tl : x.2 < size (number cells) by rewrite size_number (cell_lt vt).
 rewrite /vertex_after resultE (nth_map [::]) // -/(row_of _ _) -/(cell_of _ _).
 have il : index (pos x.1) (cell_of cells x.2) < size (row_of cells x.2).
   by rewrite -(size_map fst) row_vertices index_mem.

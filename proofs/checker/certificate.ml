@@ -54,7 +54,8 @@ let number source what =
   | Some word when String.for_all (fun c -> '0' <= c && c <= '9') word ->
       let digit value c =
         let value = (10 * value) + Char.code c - Char.code '0' in
-        if value > largest then fail source ("the number " ^ quote word ^ " is too large") else value
+        if value <= largest then value
+        else fail source ("the number " ^ quote word ^ " is too large")
       in
       let value = Seq.fold_left digit 0 (String.to_seq word) in
       drop source;

@@ -1,9 +1,9 @@
 (* cleave-certify: is `after` what unglue makes of `before` and `cut`?
 
    The program decides with certify_exec and unglue_exec, which are extracted from Coq and proved
-   equal to the specification (proofs/certify_exec.v, proofs/exec.v). Trusted are: Coq's kernel and
-   its extraction to OCaml, OCaml's compiler and runtime, and the glue in this folder, which reads
-   numbers and prints verdicts.
+   equal to the specification (proofs/certify_exec.v, proofs/unglue_exec.v). Trusted are: Coq's
+   kernel and its extraction to OCaml, OCaml's compiler and runtime, and the glue in this folder,
+   which reads numbers and prints verdicts.
 
    A certificate:
 
@@ -171,5 +171,8 @@ let rec main answer many file = function
   | word :: rest when file = None -> main answer many (Some word) rest
   | _ :: _ -> usage "more than one FILE"
   | [] -> ( match file with Some file -> run answer many file | None -> usage "which FILE?")
+
+(* Fewer, larger collections: the maps of a large mesh live until the verdict. *)
+let () = Gc.set { (Gc.get ()) with minor_heap_size = 1 lsl 22; space_overhead = 400 }
 
 let () = exit (main verdict false None (List.tl (Array.to_list Sys.argv)))
