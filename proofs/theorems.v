@@ -1,29 +1,27 @@
 (******************************************************************************)
-(* The theorems T1 to T13, for the reader who believes nothing. Each is       *)
-(* stated in terms of the definitions of complex.v and of unglue alone, where *)
-(* that is possible, and its proof is a reference. The facts that come first  *)
-(* say what those definitions are; they hold by computation, so they cannot   *)
-(* be out of date. What is left to trust is Coq, and that these facts mean    *)
-(* what you mean.                                                             *)
-(*    M : complex n V T   cells t : T are sets M t of n.+1 vertices in V      *)
-(*           C            a cut: a set of facets, which are sets of vertices  *)
-(*        (v, t)          the corner of the cell t at v, and also the         *)
-(*        half-facet                                                          *)
-(*                        of t opposite v, whose vertices are facet M (v, t)  *)
-(*    connect r x y       a chain of steps of the relation r leads from x to  *)
-(*    y                                                                       *)
-(*  T1 cells stay             T6 which vertices split    T10 closed boundary  *)
-(*  T2 pseudo-manifolds stay  T7 nothing opens more      T11 Algorithm 3      *)
-(*  T3 what opens             T8 cuts in stages          T12 cut and stitch   *)
-(*  T4 cut-regular result     T9 pieces                  T13 Algorithm 5      *)
-(*  T5 what changes nothing                                                   *)
+(* The theorems T1 to T13, and certify, for the reader who believes nothing.  *)
+(* They are stated over the definitions of complex.v and of unglue, as far as *)
+(* possible, and their proofs are references. The facts that come first say   *)
+(* what those definitions are; Coq checks them, so they cannot be out of date.*)
+(* What is left to trust is Coq, and that these facts mean what you mean.     *)
+(*   M : complex n V T  cells t : T are sets M t of n.+1 vertices in V        *)
+(*         C            a cut: a set of facets, which are sets of vertices    *)
+(*      (v, t)          the corner of the cell t at v, and the half-facet of t*)
+(*                      opposite v, which has the vertices facet M (v, t)     *)
+(*   connect r x y      a chain of steps of the relation r leads from x to y  *)
+(*   T1 cells stay             T6 which vertices split   T11 Algorithm 3      *)
+(*   T2 pseudo-manifolds stay  T7 nothing opens more     T12 cut and stitch   *)
+(*   T3 what opens             T8 cuts in stages         T13 Algorithm 5      *)
+(*   T4 cut-regular result     T9 pieces                 certify              *)
+(*   T5 what changes nothing   T10 closed boundary       two_sides: selection *)
 (* What fem.v, elastic_kernel.v, lemma1.v, nearest_vertex.v and others prove  *)
-(* of elasticity and of the choice of facets needs definitions of their own,  *)
-(* and is read there. The counterexamples are in examples.v.                  *)
+(* of elasticity and of the choice of facets needs definitions of its own, and*)
+(* is read there. The counterexamples are in examples.v and torus.v.          *)
 (******************************************************************************)
 From mathcomp Require Import all_ssreflect all_algebra.
 From Cleave Require Import complex isomorphism relabelling unglue incision.
 From Cleave Require Import orientation algorithm5 boundary oriented_boundary algorithm3.
+From Cleave Require Import certify dual_edge star_opening.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -211,6 +209,32 @@ Proof.
 move=> co; split=> [t j u|v t vt]; first exact: T13_algorithm5.
 by rewrite -T13_flood_step //; exact: T13_flood.
 Qed.
+
+(* certify: names for the corners after a cut pass its three clauses iff they
+   are those of unglue up to renaming. W: the vertices of the other mesh.     *)
+Theorem certify (W : eqType) (name : V * T -> W) :
+  [/\ forall v t w u, v \in M t -> w \in M u -> name (v, t) = name (w, u) -> v = w,
+      forall t u v, adjacent M t u -> M t :&: M u \notin C -> v \in M t :&: M u ->
+        name (v, t) = name (v, u)
+    & forall v t w u, v \in M t -> w \in M u -> name (v, t) = name (w, u) ->
+        connect (glue M C) (v, t) (w, u)] <->
+  exists2 f : V * T -> W, {in used (unglue M C) &, injective f} &
+    forall v t, v \in M t -> name (v, t) = f (copy M C (v, t)).
+Proof.
+have [sound complete] := certify_sound_complete M C name; split=> [[a b c]|[f fi fE]].
+  case: sound => [|f fi fE]; last by exists f => // v t vt; apply: fE.
+  by split=> [[v t] [w u] cx cy|//|[v t] [w u] cx cy]; [exact: a | exact: c].
+have [a b c] : certified M C name by apply: complete; exists f => // -[v t]; exact: fE.
+by split=> [v t w u vt wu|//|v t w u vt wu]; [exact: (a (v, t) (w, u)) | exact: (c (v, t) (w, u))].
+Qed.
+
+(* Selection: a cut of all facets between cells on different sides, for any two
+   sides, separates them, and opens entirely.                                 *)
+Theorem two_sides (side : T -> bool) : 0 < n ->
+    (forall t u, adjacent M t u -> (M t :&: M u \in C) = (side t != side u)) ->
+  (forall t u, connect (adjacent (unglue M C)) t u -> side t = side u) /\
+  (forall t u, adjacent M t u -> M t :&: M u \in C -> ~~ adjacent (unglue M C) t u).
+Proof. by move=> n0 sides; split=> t u; [exact: (theoremB_separates n0 sides) | exact: (theoremC_full n0 sides)]. Qed.
 
 End Theorems.
 
