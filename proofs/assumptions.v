@@ -408,6 +408,10 @@ Locate theorems.T12.
 Print Assumptions theorems.T12.
 Locate theorems.T13.
 Print Assumptions theorems.T13.
+Locate theorems.certify.
+Print Assumptions theorems.certify.
+Locate theorems.two_sides.
+Print Assumptions theorems.two_sides.
 Locate theorems.T10_signed.
 Print Assumptions theorems.T10_signed.
 Locate algorithm3.algorithm3_unglue.
