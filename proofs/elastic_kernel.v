@@ -1,29 +1,34 @@
-(* elastic_kernel.v : the displacements that cost no energy (T9).                     *)
-(*                                                                                    *)
-(* The stiffness operator K takes a displacement of the vertices to the elastic       *)
-(* forces at the vertices.  What does it take to zero?  In a cut-regular complex:     *)
-(* one rigid motion for each piece, freely chosen, and nothing else.                  *)
-(*                                                                                    *)
-(*   body R M == a complex M in R^n, ready for elasticity: an order of the vertices   *)
-(*               of each cell, positions of the vertices, volumes and materials of    *)
-(*               the cells.  The record carries what is asked of them: no cell is     *)
-(*               flat, volumes are positive, materials are elastic (mu > 0 and        *)
-(*               n lambda + 2 mu > 0).  R is any ordered field.  The C++ computes     *)
-(*               the volume from the positions; here any positive number will do.     *)
-(*   stiffness B u v == the elastic force at vertex v under displacement u, (K u)(v)  *)
-(*   energy B u == the elastic energy of displacement u                               *)
-(*   piece M t == the vertices of the piece of cell t: those of all cells that a      *)
-(*               walk from t through facets can reach                                 *)
-(*   unglue_body B C == the body after the cut C: copies lie where their parents lie, *)
-(*               cells keep their order, volume and material                          *)
-(*                                                                                    *)
-(* Theorems: T9_stiffness_symmetric, T9_stiffness_energy (u.Ku is twice the energy),  *)
-(* T9_kernel_energy (K u = 0 = no energy), T9_kernel (= a rigid motion of each        *)
-(* piece), T9_kernel_unique, T9_piece_disjoint and T9_kernel_free (in a cut-regular   *)
-(* complex the motions of the pieces are independent), T9_kernel_unglue (after any    *)
-(* cut), T9_supported (K with Dirichlet conditions is positive definite if and only   *)
-(* if no rigid motion of a piece meets them all).                                     *)
-(* In C++: cleave::fem::ElasticOperator, unsupported_piece.                           *)
+(*********************************************************************************)
+(* The displacements that cost no energy (T9). The stiffness operator K takes a  *)
+(* displacement of the vertices to the elastic forces at the vertices. In a      *)
+(* cut-regular complex it takes to zero one rigid motion for each piece, freely  *)
+(* chosen, and nothing else.                                                     *)
+(*           body R M == a complex M in R^n, ready for elasticity: an order of   *)
+(*                       the vertices of each cell, positions of the vertices,   *)
+(*                       volumes and materials of the cells, with what is asked  *)
+(*                       of them: no cell is flat, volumes are positive,         *)
+(*                       materials are elastic (mu > 0 and n lambda + 2 mu > 0). *)
+(*                       R is any ordered field. The C++ computes the volumes    *)
+(*                       from the positions, here any positive numbers will do;  *)
+(*                       simplex_volume is the usual one.                        *)
+(*      stiffness B u v == (K u)(v), the elastic force at the vertex v           *)
+(*         energy B u == the elastic energy of the displacement u                *)
+(*         work B u w == the work of the forces K u along the displacement w     *)
+(*          piece M t == the vertices of the piece of the cell t: those of all   *)
+(*                       cells that a walk from t through facets can reach       *)
+(*          moved B A b == the displacement by a rigid motion for each cell      *)
+(*           held D u == the coordinates in D of the displacement u are zero     *)
+(*                       (Dirichlet conditions)                                  *)
+(*    unglue_body B C == the body after the cut C: copies lie where their        *)
+(*                       parents lie, cells keep order, volume and material      *)
+(* Theorems: T9_stiffness_symmetric, T9_stiffness_energy (u.Ku is twice the      *)
+(* energy), T9_kernel_energy (K u = 0 = no energy), T9_kernel (= a rigid motion  *)
+(* of each piece), T9_kernel_unique, T9_piece_disjoint and T9_kernel_free (in a  *)
+(* cut-regular complex the motions of the pieces are independent),               *)
+(* T9_kernel_unglue (after any cut), T9_supported (K with conditions on D is     *)
+(* positive definite if and only if no rigid motion of a piece meets them).      *)
+(* In C++: cleave::fem::ElasticOperator, unsupported_pieces.                     *)
+(*********************************************************************************)
 From mathcomp Require Import all_ssreflect all_algebra.
 From Cleave Require Import complex unglue elasticity rigid_motion.
 Set Implicit Arguments.
@@ -42,6 +47,13 @@ Record body (R : realFieldType) n (V T : finType) (M : complex n V T) := Body {
   not_flat : nondegenerate order position;
   volume_gt0 : forall t, 0 < volume t;
   material : forall t, elastic n (lame_mu t) (lame_lambda t) }.
+
+(* The volume of the simplex with edge matrix P, as the C++ computes it. *)
+Definition simplex_volume (R : realFieldType) n (P : 'M[R]_n) : R := `|\det P| / n`!%:R.
+
+Lemma simplex_volume_gt0 (R : realFieldType) n (P : 'M[R]_n) :
+  P \in unitmx -> 0 < simplex_volume P.
+Proof. by rewrite unitmxE unitfE => nz; rewrite divr_gt0 ?normr_gt0 ?ltr0n ?fact_gt0. Qed.
 
 Definition piece n (V T : finType) (M : complex n V T) t : {set V} :=
   [set v | [exists s, connect (adjacent M) t s && (v \in M s)]].
@@ -177,22 +189,38 @@ move=> /(rigid_sub (cell_piece M t)) r /(rigid_sub (cell_piece M t)).
 exact: (T9_rigid_unique (order_vertices B) (not_flat B)) r.
 Qed.
 
-(* T9: in a cut-regular complex any choice of rigid motions, one for each piece, is an   *)
-(* element of the kernel.  At a vertex shared by two pieces, two motions could disagree; *)
-(* that is what cut-regularity excludes.                                                 *)
+(* The displacement that moves the cells around each vertex by the motion A, b of one *)
+(* of them, and unused vertices not at all.                                          *)
+Definition moved (A : T -> 'M[R]_n) (b : T -> 'cV[R]_n) v : 'cV[R]_n :=
+  if [pick t | v \in M t] is Some t then A t *m X v + b t else 0.
+
+Lemma moved_unused (A : T -> 'M[R]_n) (b : T -> 'cV[R]_n) v : v \notin used M -> moved A b v = 0.
+Proof.
+by rewrite /moved; case: pickP => // t vt /negP[]; apply/usedP; exists t.
+Qed.
+
+Lemma moved_rigid (A : T -> 'M[R]_n) (b : T -> 'cV[R]_n) t :
+  cut_regular M -> (forall t, (A t)^T = - A t) ->
+  (forall t s, connect (adjacent M) t s -> A t = A s /\ b t = b s) ->
+  rigid X (A t) (b t) (piece M t) (moved A b).
+Proof.
+move=> reg skew same; split=> // v /pieceP[s ts vs].
+rewrite /moved; case: pickP => [s' vs'|/(_ s)]; last by rewrite vs.
+by have [-> ->] := same t s' (connect_trans ts (T9_vertex reg vs vs')).
+Qed.
+
+(* T9: in a cut-regular complex any choice of rigid motions, one for each piece, is in *)
+(* the kernel.  At a vertex shared by two pieces two motions could disagree; that is    *)
+(* what cut-regularity excludes.                                                     *)
 Theorem T9_kernel_free (A : T -> 'M[R]_n) (b : T -> 'cV[R]_n) : cut_regular M ->
   (forall t, (A t)^T = - A t) ->
   (forall t s, connect (adjacent M) t s -> A t = A s /\ b t = b s) ->
   exists u, [/\ forall v, stiffness u v = 0, forall v, v \notin used M -> u v = 0 &
                 forall t, rigid X (A t) (b t) (piece M t) u].
 Proof.
-move=> reg skew same.
-pose u v := if [pick t | v \in M t] is Some t then A t *m X v + b t else 0.
-have r t : rigid X (A t) (b t) (piece M t) u.
-  split=> // v /pieceP[s ts vs]; rewrite /u; case: pickP => [s' vs'|/(_ s)]; last by rewrite vs.
-  by have [-> ->] := same t s' (connect_trans ts (T9_vertex reg vs vs')).
-exists u; split=> [|v|] //; first by apply/T9_kernel => t; exists (A t), (b t).
-by rewrite /u; case: pickP => // t vt /negP[]; apply/usedP; exists t.
+move=> reg skew same; have r t := moved_rigid t reg skew same.
+exists (moved A b); split=> //; last exact: moved_unused.
+by apply/T9_kernel => t; exists (A t), (b t).
 Qed.
 
 (* T9: with some coordinates held at zero (Dirichlet conditions), K is positive      *)

@@ -1,22 +1,21 @@
-(* rigid_motion.v : a cell without strain moves rigidly, and so do its neighbours. *)
-(*                                                                                 *)
-(* A complex lies in R^n by the positions X of its vertices; a displacement u      *)
-(* moves vertex v to X v + u v.  Cells of dimension n have n + 1 vertices.  As in  *)
-(* the C++, a cell is an ordered tuple; the order is arbitrary, and                *)
-(* nondegenerateP and gradient_uniq say that it does not matter.                   *)
-(*                                                                                 *)
-(*      order t i == the i-th vertex of cell t, i = 0 .. n                         *)
-(*    edges f t == (f v_1 - f v_0 | .. | f v_n - f v_0): the paper's matrix X for  *)
-(*                 the positions, U for a displacement                             *)
-(* nondegenerate == the edge matrix of every cell is invertible: no cell is flat   *)
-(*   rigid A b S u == A is skew and u v = A X_v + b for every vertex v in S: an    *)
-(*                 infinitesimal rotation A and a translation b                    *)
-(*     grad u t == the gradient of the displacement u on cell t                    *)
-(*                                                                                 *)
-(* Theorems: T9_rigid_on_cell (zero strain on a cell = rigid motion of the cell),  *)
-(* T9_rigid_unique (of one cell there is one such motion), T9_shared_facet (two    *)
-(* cells that share a facet and move rigidly have the same motion).                *)
-(* In C++: cleave::fem, rigid_modes.hpp.                                           *)
+(*********************************************************************************)
+(* A cell without strain moves rigidly, and its neighbours with it. A complex    *)
+(* lies in R^n by the positions X of its vertices; a displacement u moves vertex *)
+(* v to X v + u v. As in the C++, a cell is an ordered tuple of its n + 1        *)
+(* vertices; nondegenerateP, gradP and grad_uniq say that the order is free.     *)
+(*          order t i == the i-th vertex of the cell t, i = 0 .. n               *)
+(*    edges order f t == (f v_1 - f v_0 | .. | f v_n - f v_0): the paper's       *)
+(*                       matrix X for the positions, U for a displacement        *)
+(*    nondegenerate order X == every edge matrix is invertible: no cell is flat  *)
+(*      rigid X A b S u == A is skew and u v = A X_v + b for every vertex v in   *)
+(*                       S: an infinitesimal rotation A, a translation b         *)
+(*   grad order X u t == the gradient of the displacement u on the cell t        *)
+(* Theorems: T9_rigid_on_cell (zero strain on a cell is a rigid motion of it),   *)
+(* T9_rigid_unique (one such motion for each cell), T9_facet_held (a cell that   *)
+(* is at rest on a facet is at rest), T9_shared_facet (two cells that share a    *)
+(* facet and move rigidly have the same motion).                                 *)
+(* In C++: rigid_modes.hpp.                                                      *)
+(*********************************************************************************)
 From mathcomp Require Import all_ssreflect all_algebra.
 From Cleave Require Import complex elasticity.
 Set Implicit Arguments.
@@ -156,10 +155,39 @@ have /eqP := congr1 (fun a : 'M[R]_1 => a 0 0) e.
 by rewrite !mxE -addr_eq0 -mulr2n mulrn_eq0.
 Qed.
 
+(* T9: a skew motion x |-> A x + b that rests on a facet of a cell is at rest. Take a *)
+(* vertex w of the facet as origin: for any two vertices a, c of the cell               *)
+(* (a - w)^T A (c - w) = 0, as one of them is on the facet, or a = c is the opposite    *)
+(* vertex and A is skew.                                                             *)
+Theorem T9_facet_held t (f : {set V}) A b : (0 < n)%N -> #|f| = n -> f \subset M t ->
+  A^T = - A -> {in f, forall v, A *m X v + b = 0} -> A = 0 /\ b = 0.
+Proof.
+move=> n_gt0 cf ft skew rest; have /card_gt0P[w wf] : (0 < #|f|)%N by rewrite cf.
+have facet v : v \in f -> A *m (X v - X w) = 0.
+  have e y : y \in f -> A *m X y = - b.
+    by move=> /rest r0; apply/eqP; rewrite -addr_eq0 r0.
+  by move=> vf; rewrite mulmxBr !e // subrr.
+have form_skew x y : x^T *m A *m y = - (y^T *m A *m x)^T :> 'M_1.
+  by rewrite !trmx_mul trmxK skew !mulNmx mulmxN opprK mulmxA.
+have form0 v y : v \in M t -> y \in M t -> (X v - X w)^T *m A *m (X y - X w) = 0.
+  move=> vt yt; have [yf|nyf] := boolP (y \in f); first by rewrite -mulmxA facet // mulmx0.
+  have [vf|nvf] := boolP (v \in f).
+    by rewrite form_skew -mulmxA facet // mulmx0 trmx0 oppr0.
+  have -> : v = y.
+    have /eqP/cards1P[z /setP ez] : #|M t :\: f| = 1%N.
+      by rewrite cardsD (setIidPr ft) card_vertices cf subSnn.
+    have [] := (ez v, ez y); rewrite !inE vt yt nvf nyf /=.
+    by move=> /esym/eqP-> /esym/eqP->.
+  exact/skew_mx1/form_skew.
+have A0 : A = 0.
+  have wt := subsetP ft _ wf.
+  apply: (@spanning _ _ t w) => y yt; rewrite -[LHS]trmxK -[RHS]trmxK trmx0; congr _^T.
+  apply: (@spanning _ _ t w) => v vt; rewrite -[LHS]trmxK trmx_mul trmxK mulmxA.
+  by rewrite form0 // trmx0.
+by split=> //; have := rest _ wf; rewrite A0 mul0mx add0r.
+Qed.
+
 (* T9: two cells with a common facet that move rigidly have one and the same motion. *)
-(* For the difference D x + d of the two motions vanishes on the facet.  Take its    *)
-(* vertex w as origin: for any two vertices a, c of t then (a - w)^T D (c - w) = 0,  *)
-(* as one of a, c is on the facet, or a = c is the opposite vertex and D is skew.    *)
 Theorem T9_shared_facet t s u A b A' b' : adjacent M t s ->
   rigid A b (M t) u -> rigid A' b' (M s) u -> A = A' /\ b = b'.
 Proof.
@@ -167,33 +195,14 @@ move=> ts [skew r] [skew' r'].
 have [n0|n_gt0] := posnP n.
   split; first by rewrite [A]mx_dim0 // [A']mx_dim0.
   by apply/matrixP => i; have := ltn_ord i; rewrite {2}n0.
-have /card_gt0P[w wi] : (0 < #|common M t s|)%N by rewrite (eqP ts).
 have both v : v \in common M t s -> v \in M t /\ v \in M s by rewrite inE => /andP[].
-pose D := A - A'; have skewD : D^T = - D by rewrite linearB /= skew skew' opprB opprK addrC.
-have facet v : v \in common M t s -> D *m (X v - X w) = 0.
-  have e y : y \in common M t s -> D *m X y = b' - b.
-    by move=> /both[yt ys]; apply: motions_differ; rewrite -r // r'.
-  by move=> vi; rewrite mulmxBr !e // subrr.
-have form_skew x y : x^T *m D *m y = - (y^T *m D *m x)^T :> 'M_1.
-  by rewrite !trmx_mul trmxK skewD !mulNmx mulmxN opprK mulmxA.
-have form0 v y : v \in M t -> y \in M t -> (X v - X w)^T *m D *m (X y - X w) = 0.
-  move=> vt yt; have [yi|ni] := boolP (y \in common M t s).
-    by rewrite -mulmxA facet // mulmx0.
-  have [vi|nvi] := boolP (v \in common M t s).
-    by rewrite form_skew -mulmxA facet // mulmx0 trmx0 oppr0.
-  have -> : v = y.
-    have: #|M t :\: common M t s| = 1%N.
-      by rewrite cardsD (setIidPr (subsetIl _ _)) card_vertices (eqP ts) subSnn.
-    by case/eqP/cards1P=> z /setP ez; move: (ez v) (ez y); rewrite !inE;
-       move: ni nvi; rewrite !inE vt yt /= => /negbTE-> /negbTE->;
-       rewrite /= => /esym/eqP-> /esym/eqP->.
-  exact/skew_mx1/form_skew.
-have D0 : D = 0.
-  apply: (@spanning _ _ t w) => y yt; rewrite -[LHS]trmxK -[RHS]trmxK trmx0; congr _^T.
-  apply: (@spanning _ _ t w) => v vt; rewrite -[LHS]trmxK trmx_mul trmxK mulmxA.
-  by rewrite form0 // trmx0.
-have AA' : A = A' by apply/eqP; rewrite -subr_eq0 -/D D0.
-split=> //; have [wt ws] := both _ wi; have := r _ wt; rewrite r' // AA'.
-by move/addrI.
+have [||||AA' bb'] := @T9_facet_held t (common M t s) (A - A') (b - b') n_gt0.
+- exact/eqP.
+- exact: subsetIl.
+- by rewrite linearB /= skew skew' opprB opprK addrC.
+- move=> v /both[vt vs]; rewrite (_ : _ *m _ = b' - b) ?addrA ?subrK ?subrr //.
+  by apply: motions_differ; rewrite -r // r'.
+by split; apply/eqP; rewrite -subr_eq0; apply/eqP.
 Qed.
+
 End Rigid.
