@@ -30,7 +30,8 @@
 (*       theoremB_no_rim == so it is if the rim avoids all triangles that a   *)
 (*                          point spans with the dual edges                   *)
 (*    theoremB_separates == then no piece has cells of both sets              *)
-(*          theoremB_sum == two sweeps together select what one of them does  *)
+(*          theoremB_sum == two sweeps together select what exactly one of    *)
+(*                          them selects                                      *)
 (******************************************************************************)
 From mathcomp Require Import all_ssreflect.
 From Cleave Require Import complex unglue boundary parity.
