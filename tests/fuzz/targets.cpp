@@ -15,6 +15,7 @@ constexpr std::array kTargets{
     Target{"abaqus", [](Bytes bytes) { fuzz_mesh(".inp", Keeps::cells, bytes); }},
     Target{"request", fuzz_request},
     Target{"record", fuzz_record},
+    Target{"certificate", fuzz_certificate},
     Target{"config", fuzz_config},
     Target{"scene", fuzz_scene},
     Target{"topology", fuzz_topology},
