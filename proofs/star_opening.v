@@ -23,6 +23,8 @@
 (*                    crosses C an even number of times                       *)
 (*  theoremC_even  == if the star is simply connected, it is enough that each *)
 (*                    ridge at v has an even number of facets of C            *)
+(*  theoremC_front == so a facet that stays shut has odd ridges at its        *)
+(*                    vertices: it is on the front of the cut                 *)
 (* theoremC_ridge, theoremC_triangles, theoremC_path == nothing is assumed    *)
 (*                    for a ridge, nor for vertices of a mesh of triangles    *)
 (*   theoremC_full == if C are the facets between two sets of cells of the    *)
@@ -134,6 +136,16 @@ move=> sc even tu C_tu; have /theoremC_walks[lab labC] : even_walks (star_adjace
   apply: sc => [|r s cr vr loop]; first exact: marks_sym.
   by rewrite -(degree_loop cr loop); apply: negbTE; exact: even loop.
 exact: theoremC labC tu C_tu.
+Qed.
+
+(* Theorem C, so a facet stays shut only on the front of the cut: not all     *)
+(* ridges are even at any of its vertices with a simply connected star.       *)
+Corollary theoremC_front v t u : simply_connected_star v -> star_adjacent v t u -> marks t u ->
+  adjacent (unglue M C) t u ->
+  ~ (forall r s, #|r|.+1 = n -> v \in r -> dual_loop M r s -> ~~ odd (degree r)).
+Proof.
+move=> sc tu C_tu shut even; have /andP[_ vtu] := tu.
+by have /negP[] := opens_facet vtu (theoremC_even sc even tu C_tu).
 Qed.
 
 (* For a ridge nothing is left to assume: a parity that is even on the loop   *)
