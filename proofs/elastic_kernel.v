@@ -190,7 +190,7 @@ exact: (T9_rigid_unique (order_vertices B) (not_flat B)) r.
 Qed.
 
 (* The displacement that moves the cells around each vertex by the motion A, b of one *)
-(* of them, and unused vertices not at all.                                          *)
+(* of them, and unused vertices not at all.                                           *)
 Definition moved (A : T -> 'M[R]_n) (b : T -> 'cV[R]_n) v : 'cV[R]_n :=
   if [pick t | v \in M t] is Some t then A t *m X v + b t else 0.
 
@@ -210,8 +210,8 @@ by have [-> ->] := same t s' (connect_trans ts (T9_vertex reg vs vs')).
 Qed.
 
 (* T9: in a cut-regular complex any choice of rigid motions, one for each piece, is in *)
-(* the kernel.  At a vertex shared by two pieces two motions could disagree; that is    *)
-(* what cut-regularity excludes.                                                     *)
+(* the kernel.  At a vertex shared by two pieces two motions could disagree; that is   *)
+(* what cut-regularity excludes.                                                       *)
 Theorem T9_kernel_free (A : T -> 'M[R]_n) (b : T -> 'cV[R]_n) : cut_regular M ->
   (forall t, (A t)^T = - A t) ->
   (forall t s, connect (adjacent M) t s -> A t = A s /\ b t = b s) ->
@@ -223,12 +223,13 @@ exists (moved A b); split=> //; last exact: moved_unused.
 by apply/T9_kernel => t; exists (A t), (b t).
 Qed.
 
-(* T9: with some coordinates held at zero (Dirichlet conditions), K is positive      *)
-(* definite if and only if no rigid motion of a piece, but rest, keeps them at zero. *)
+(* Dirichlet conditions: the coordinates in D are held at zero, of all vertices or of some. *)
 Definition held (D : {set V * 'I_n}) u := forall v i, (v, i) \in D -> u v i 0 = 0.
 Definition held_on (D : {set V * 'I_n}) (S : {set V}) u :=
   {in S, forall v i, (v, i) \in D -> u v i 0 = 0}.
 
+(* T9: with some coordinates held at zero (Dirichlet conditions), K is positive      *)
+(* definite if and only if no rigid motion of a piece, but rest, keeps them at zero. *)
 Theorem T9_supported (D : {set V * 'I_n}) : cut_regular M ->
   (forall u, held D u -> (exists2 v, v \in used M & u v != 0) -> 0 < work u u) <->
   (forall t A b, A^T = - A -> held_on D (piece M t) (fun v => A *m X v + b) -> A = 0 /\ b = 0).

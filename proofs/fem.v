@@ -101,8 +101,8 @@ Qed.
 Definition hinge : complex 3 [finType of 'I_7] bool_finType :=
   Complex card_hinge_cell hinge_cell_inj.
 
-(* T9: without cut-regularity one vertex can be in two pieces, so that the rigid   *)
-(* motions of the pieces are not independent and the matrix is not block diagonal. *)
+(* T9: without cut-regularity one vertex can be in two pieces, and then the vertices *)
+(* do not fall into one block for each piece.                                        *)
 Theorem T9_hinge : let v : 'I_7 := inord 3 in
   [/\ v \in hinge false, v \in hinge true, ~~ connect (adjacent hinge) false true &
       ~ cut_regular hinge].

@@ -110,11 +110,11 @@ move=> B0; have e0 : B *m edges X t = 0.
 by rewrite -[B](mulmxK (solid t)) e0 mul0mx.
 Qed.
 
-(* The gradient takes the edges of the cell to their displacements ...            *)
+(* The gradient takes the edges of the cell to their displacements ... *)
 Lemma gradP u t : {in M t &, forall v w, grad u t *m (X v - X w) = u v - u w}.
 Proof. by apply/edgesP; rewrite mulmxKV. Qed.
 
-(* ... and is the only matrix that does.                                          *)
+(* ... and is the only matrix that does. *)
 Lemma grad_uniq u t E :
   {in M t &, forall v w, E *m (X v - X w) = u v - u w} -> grad u t = E.
 Proof. by move/edgesP => e; rewrite /grad /gradient -e mulmxK. Qed.
@@ -156,9 +156,9 @@ by rewrite !mxE -addr_eq0 -mulr2n mulrn_eq0.
 Qed.
 
 (* T9: a skew motion x |-> A x + b that rests on a facet of a cell is at rest. Take a *)
-(* vertex w of the facet as origin: for any two vertices a, c of the cell               *)
-(* (a - w)^T A (c - w) = 0, as one of them is on the facet, or a = c is the opposite    *)
-(* vertex and A is skew.                                                             *)
+(* vertex w of the facet as origin: for any two vertices a, c of the cell             *)
+(* (a - w)^T A (c - w) = 0, as one of them is on the facet, or a = c is the opposite  *)
+(* vertex and A is skew.                                                              *)
 Theorem T9_facet_held t (f : {set V}) A b : (0 < n)%N -> #|f| = n -> f \subset M t ->
   A^T = - A -> {in f, forall v, A *m X v + b = 0} -> A = 0 /\ b = 0.
 Proof.
