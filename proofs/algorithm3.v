@@ -3,8 +3,7 @@
 (* finds the components on the complex as the loop has left it so far (T11).  *)
 (* Its state is a relabelling whose new vertices are                          *)
 (*        (v, None) == the node v, not yet treated                            *)
-(*      (v, Some t) == the copy N_c of v, for the component c named by a cell *)
-(*                     t                                                      *)
+(*      (v, Some t) == the copy N_c of v, where the cell t names c            *)
 (*   labelling, complex_of M l == a state, and its complex                    *)
 (*     component l x == a cell that names the component of the corner x in    *)
 (*                      the state l; the facets of C are those whose parents  *)
@@ -14,7 +13,7 @@
 (*   T11_order == the order of the nodes and repetitions do not matter        *)
 (*   T11_all   == over all nodes the loop is unglue M C                       *)
 (*   T11_local == for a cut-regular complex so it is over the vertices of C;  *)
-(*                the others might be split otherwise: Figure 8               *)
+(*                in any other, unglue splits more vertices than those        *)
 (*   T11_regularize == any complex: assemble_regularized, which is unglue     *)
 (*                with the empty cut, followed by the loop over the vertices  *)
 (*                of C                                                        *)
@@ -62,7 +61,7 @@ move=> r xy; apply/eqP/idP => [e|c]; last first.
   by rewrite (root_connect (glue_csym _ _)) connect_relabel.
 have reach z : connect (glue M C) z (z.1, component l z).
   have c := connect_root (glue (complex_of l) (lifted parent C)) (up l z).
-  have -> : (z.1, component l z) = down parent (root (glue (complex_of l) (lifted parent C)) (up l z)).
+  set w := root _ _ in c; have -> : (z.1, component l z) = down parent w.
     by rewrite /down -(connect_fst c) /= labelK.
   rewrite -{1}[z](upK (labelK l)); apply: connect_homo c => a b g.
   exact/connect1/(glue_down g).

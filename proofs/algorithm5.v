@@ -69,7 +69,8 @@ have uk : osame (mate (half_facet o t j)) (half_facet o u k).
   by rewrite matesE /mates !corner_tnth eq_sym ut -/f fE {1}vE eqxx.
 case: pickP => [[w i] /= wi|/(_ (u, k))]; last by rewrite /= uk.
 have /coherent_each_in_one_cell one := co.
-by have /one[->] : osame (half_facet o w i) (half_facet o u k) by apply: osame_trans uk; rewrite osame_sym.
+have /one[->//] : osame (half_facet o w i) (half_facet o u k).
+by apply: osame_trans uk; rewrite osame_sym.
 Qed.
 
 (* T13: no other cell has that facet, so "the" neighbour is meaningful.       *)

@@ -2,14 +2,15 @@
 # Whether the proofs prove what they say, as far as it shows without reading them.
 #
 #   proofs/check_sources.sh                 checks the sources; needs no Coq
-#   proofs/check_sources.sh BUILD           ... and what the theorems rest on: BUILD is the folder with
-#                                           the compiled proofs, this one if they were built in place
-#   proofs/check_sources.sh --write BUILD   rewrites assumptions.v and assumptions.out
+#   proofs/check_sources.sh BUILD           ... and what the theorems rest on; BUILD is the folder
+#                                           of the compiled proofs
+#   proofs/check_sources.sh --write BUILD   first writes assumptions.v and assumptions.out anew
 #
-# Exit status: 0 fine, 1 findings, one per line. The sources may hold no unfinished proof, no axiom under
-# any name, no variable outside a section, and nothing that switches off a check of Coq. Every Theorem must
-# be in assumptions.v, and Coq must print for it what assumptions.out holds: that it rests on nothing.
-# At last faults are planted in copies, and each must be found: a check that cannot fail says nothing.
+# Exit status: 0 fine, 1 findings, one per line. The sources may hold no unfinished proof, no axiom
+# under any name, no variable outside a section, and nothing that switches off a check of Coq. Every
+# Theorem must be in assumptions.v, and Coq must print for it what assumptions.out holds: that it
+# rests on nothing. At last faults are planted in copies, and each must be found: a check that
+# cannot fail says nothing.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 
@@ -68,7 +69,7 @@ in_ledger() {
   local file name
   { grep -oE "\`[a-z0-9_]+\.v:[A-Za-z_][A-Za-z0-9_']*\`" "$here/CLAIMS.md" || true; } |
     tr -d '`' | sed 's/\.v:/ /' | sort -u | while read -r file name; do
-    if sentences "$here/$file.v" | grep -E "^(Lemma|Corollary|Remark|Fact) $name[^A-Za-z0-9_']" >/dev/null; then
+    if sentences "$here/$file.v" | grep -E "^(Lemma|Corollary|Remark|Fact) ${name}[^A-Za-z0-9_']" >/dev/null; then
       echo "$file.$name"
     fi
   done

@@ -5,8 +5,7 @@
 (*   connect_homo == a map that sends steps to paths sends paths to paths     *)
 (*   connect_inv  == what every step leaves alone, every path leaves alone    *)
 (*   connect_stay == what every step carries on, every path carries on        *)
-(*   connect_sub_in == a relation may be replaced inside a set it cannot      *)
-(*                     leave                                                  *)
+(*   connect_sub_in == connect_sub for a relation that never leaves a set     *)
 (******************************************************************************)
 From mathcomp Require Import all_ssreflect.
 Set Implicit Arguments.

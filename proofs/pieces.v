@@ -58,4 +58,6 @@ End Pieces.
    without crossing the cut.                                                  *)
 Theorem T9_fem n (V T : finType) (M : complex n V T) (C : {set {set V}}) w t u :
   0 < n -> w \in unglue M C t -> w \in unglue M C u -> connect (dual M C) t u.
-Proof. by move=> n0 wt wu; rewrite -T9_pieces //; apply: T9_vertex wt wu; apply: T4_cut_regular. Qed.
+Proof.
+by move=> n0 wt wu; rewrite -T9_pieces //; apply: T9_vertex wt wu; exact: T4_cut_regular.
+Qed.

@@ -18,7 +18,7 @@
 (* of elasticity and of the choice of facets needs definitions of its own, and*)
 (* is read there. The counterexamples are in examples.v and torus.v.          *)
 (******************************************************************************)
-From mathcomp Require Import all_ssreflect all_algebra.
+From mathcomp Require Import all_ssreflect all_algebra fingroup perm.
 From Cleave Require Import complex isomorphism relabelling unglue incision.
 From Cleave Require Import orientation algorithm5 boundary oriented_boundary algorithm3.
 From Cleave Require Import certify dual_edge star_opening.
@@ -72,6 +72,30 @@ Proof. exact: copyK. Qed.
 Fact isomorphic_is (W : finType) (N : complex n W T) : isomorphic M N <->
   exists h : V -> W, {in used M &, injective h} /\ forall t, N t = [set h v | v in M t].
 Proof. by split=> [[h hi hE]|[h [hi hE]]]; exists h. Qed.
+
+(* Orientation: o gives each cell an order of its vertices, and reverses some.
+   A half-facet is a sign and an order; osame says that two of them differ by
+   a permutation of that sign; mate changes the sign.                         *)
+Variable o : orientation M.
+Implicit Types i j : 'I_n.+1.
+
+Fact order_is t : [set v in o t] = M t. Proof. exact: tuple_ofP. Qed.
+
+Fact half_facet_is t i :
+  half_facet o t i = (reversed o t (+) odd i, [tuple tnth (o t) (lift i k) | k < n]).
+Proof. by []. Qed.
+
+Fact osame_is (a b : bool * n.-tuple V) : osame a b =
+  [exists s : 'S_n, (b.2 == [tuple tnth a.2 (s k) | k < n]) && (b.1 == a.1 (+) odd_perm s)].
+Proof. by []. Qed.
+
+Fact mate_is (a : bool * n.-tuple V) : mate a = (~~ a.1, a.2). Proof. by []. Qed.
+
+Fact coherent_is : coherent o <-> forall t i u j, t != u ->
+  M t :\ tnth (o t) i = M u :\ tnth (o u) j -> osame (mate (half_facet o t i)) (half_facet o u j).
+Proof.
+by split=> co t i u j tu e; apply: co => //; move: e; rewrite !half_facet_set.
+Qed.
 
 End Definitions.
 
@@ -156,13 +180,16 @@ Theorem T7 (W : finType) (p : W -> V) (lab : V * T -> W) (lab_copies : forall x,
 Proof. by move=> N only; split; [exact: T7_universal only | move=> t u; exact: T7_shut only]. Qed.
 
 (* T8: a larger cut separates at least as much.                               *)
-Theorem T8 (C' : {set {set V}}) (x y : V * T) : C \subset C' -> copy M C' x = copy M C' y -> copy M C x = copy M C y.
+Theorem T8 (C' : {set {set V}}) (x y : V * T) : C \subset C' ->
+  copy M C' x = copy M C' y -> copy M C x = copy M C y.
 Proof. by move=> sC; exact: T8_mono. Qed.
 
 (* T8: a cut C1 and then a cut C2 are the cut of both, if the second stage
    repeats the facets that the first one left shut.                           *)
 Theorem T8_stages (t0 : T) (C1 C2 : {set {set V}}) : pseudo_manifold M ->
-  isomorphic (unglue (unglue M C1) (lifted parent (stages.shut M C1 :|: C2))) (unglue M (C1 :|: C2)).
+  let shut := [set f in C1 | [exists t, exists u,
+                 adjacent (unglue M C1) t u && (M t :&: M u == f)]] in
+  isomorphic (unglue (unglue M C1) (lifted parent (shut :|: C2))) (unglue M (C1 :|: C2)).
 Proof. exact: T8_remembered. Qed.
 
 (* T9: cells are in one piece after the cut iff facets outside C connect them
@@ -180,7 +207,8 @@ Theorem T10 : pseudo_manifold M ->
 Proof. by move=> pm; split=> r; [exact: T10_mod2 | exact: T10_unglue]. Qed.
 
 (* T11: the loop of Algorithm 3 over all vertices, in any order and with any
-   repetition, is unglue; for a cut-regular complex so it is over those of C. *)
+   repetition, is unglue; for a cut-regular complex so it is over those of C.
+   algorithm3.v has the loop, in a few lines.                                 *)
 Theorem T11 (t0 : T) (ns : seq V) :
     (forall v, v \in used M -> v \in ns) \/
     (cut_regular M /\ forall v f, v \in used M -> f \in C -> v \in f -> v \in ns) ->
@@ -192,7 +220,8 @@ exact: some vf.
 Qed.
 
 (* T12: after any cuts and stitches the state is unglue of the start by the
-   facets that are scored now; if there is none, it is the start.             *)
+   facets that are scored now; if there is none, it is the start. incision.v
+   says what cut and stitch do.                                               *)
 Theorem T12 (t0 : T) steps : cut_regular M ->
   let s := run M (start V T) steps in
   isomorphic (now M s) (unglue M (scored s)) /\ (scored s = set0 -> isomorphic (now M s) M).
@@ -234,7 +263,10 @@ Theorem two_sides (side : T -> bool) : 0 < n ->
     (forall t u, adjacent M t u -> (M t :&: M u \in C) = (side t != side u)) ->
   (forall t u, connect (adjacent (unglue M C)) t u -> side t = side u) /\
   (forall t u, adjacent M t u -> M t :&: M u \in C -> ~~ adjacent (unglue M C) t u).
-Proof. by move=> n0 sides; split=> t u; [exact: (theoremB_separates n0 sides) | exact: (theoremC_full n0 sides)]. Qed.
+Proof.
+move=> n0 sides; split=> t u; first exact: (theoremB_separates n0 sides).
+exact: (theoremC_full n0 sides).
+Qed.
 
 End Theorems.
 
