@@ -33,6 +33,7 @@ From Cleave Require half_facets.
 From Cleave Require listed.
 From Cleave Require prepare.
 From Cleave Require denote.
+From Cleave Require valid.
 From Cleave Require certify_exec.
 From Cleave Require unglue_exec.
 From Cleave Require regular_exec.
@@ -42,6 +43,8 @@ From Cleave Require elasticity.
 From Cleave Require equation1.
 From Cleave Require rigid_motion.
 From Cleave Require elastic_kernel.
+From Cleave Require stiffness_matrix.
+From Cleave Require kernel_dimension.
 From Cleave Require lemma1.
 From Cleave Require crossing_point.
 From Cleave Require nearest_vertex.
@@ -224,10 +227,10 @@ Locate denote.eqv_glue.
 Print Assumptions denote.eqv_glue.
 Locate denote.name_copy.
 Print Assumptions denote.name_copy.
-Locate denote.prepare_complete.
-Print Assumptions denote.prepare_complete.
-Locate denote.prepare_edges.
-Print Assumptions denote.prepare_edges.
+Locate valid.prepare_complete.
+Print Assumptions valid.prepare_complete.
+Locate valid.prepare_edges.
+Print Assumptions valid.prepare_edges.
 Locate certify_exec.certify_exec_means.
 Print Assumptions certify_exec.certify_exec_means.
 Locate certify_exec.certify_exec_correct.
@@ -288,6 +291,8 @@ Locate rigid_motion.T9_rigid_on_cell.
 Print Assumptions rigid_motion.T9_rigid_on_cell.
 Locate rigid_motion.T9_rigid_unique.
 Print Assumptions rigid_motion.T9_rigid_unique.
+Locate rigid_motion.T9_facet_held.
+Print Assumptions rigid_motion.T9_facet_held.
 Locate rigid_motion.T9_shared_facet.
 Print Assumptions rigid_motion.T9_shared_facet.
 Locate elastic_kernel.T9_piece_disjoint.
@@ -310,6 +315,12 @@ Locate elastic_kernel.T9_supported.
 Print Assumptions elastic_kernel.T9_supported.
 Locate elastic_kernel.T9_kernel_unglue.
 Print Assumptions elastic_kernel.T9_kernel_unglue.
+Locate stiffness_matrix.T9_stiffness_matrix.
+Print Assumptions stiffness_matrix.T9_stiffness_matrix.
+Locate stiffness_matrix.T9_element_symmetric.
+Print Assumptions stiffness_matrix.T9_element_symmetric.
+Locate kernel_dimension.T9_kernel_dim.
+Print Assumptions kernel_dimension.T9_kernel_dim.
 Locate lemma1.lemma1_mended.
 Print Assumptions lemma1.lemma1_mended.
 Locate lemma1.lemma1_exact.
