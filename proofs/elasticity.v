@@ -226,6 +226,7 @@ rewrite /forces dotZl; congr (_ * _); rewrite dot_strain ?trmx_stress ?trmx_stra
 by rewrite /dot trmx_mul trmxK -mulmxA mxtrace_mulC -mulmxA.
 Qed.
 
+(* T9: hence the forces of U do the same work along W as the forces of W along U. *)
 Corollary T9_work_symmetric vol mu la P U W :
   dot (forces vol mu la P U) W = dot (forces vol mu la P W) U.
 Proof. by rewrite !T9_work !dot_stress [dot (strain _) _]dotC [la * _ * _]mulrAC. Qed.

@@ -189,6 +189,7 @@ rewrite !printed_work !dot_delta !trace_delta ii ijE ji !mulr1 !mul1r.
 by rewrite mulr0 add0r !mulrN1 -opprD !mulrN.
 Qed.
 
+(* So the printed stiffness of a sheared cell is not symmetric. *)
 Corollary equation1_printed_asymmetric vol mu la i j (P := shear i j) :
   i != j -> vol != 0 -> mu != 0 ->
   dot (printed vol mu la P (delta_mx i i)) (delta_mx j i) !=
@@ -246,6 +247,7 @@ apply: contra nzA => /eqP e; have unitT : P^T \in unitmx by rewrite unitmx_tr.
 by rewrite -[A](mulmxKV unitT) -trmx_inv e mul0mx.
 Qed.
 
+(* The place of X^-T alone makes the stiffness symmetric. *)
 Theorem equation1_right_gradient_symmetric vol mu la P U W :
   dot (right_gradient vol mu la P U) W = dot (right_gradient vol mu la P W) U.
 Proof.

@@ -39,22 +39,12 @@ Proof. by rewrite orderE; apply/imsetP; exists i. Qed.
 Lemma memP v t : reflect (exists i, v = order t i) (v \in M t).
 Proof. by rewrite orderE; apply: (iffP imsetP) => [[i _ ->]|[i ->]]; exists i. Qed.
 
-Lemma order_inj t : injective (order t).
-Proof.
-have inj : {in 'I_n.+1 &, injective (order t)}.
-  by apply/imset_injP; rewrite -orderE card_vertices card_ord.
-by move=> i j; apply: inj.
-Qed.
-
 Lemma col_edges m (f : V -> 'cV[R]_m) t j :
   col j (edges f t) = f (order t (lift ord0 j)) - f (order t ord0).
 Proof. by apply/matrixP => a k; rewrite !mxE !ord1. Qed.
 
 Lemma col_mulmx m k p (B : 'M[R]_(m, k)) (C : 'M[R]_(k, p)) j : col j (B *m C) = B *m col j C.
 Proof. by rewrite !colE mulmxA. Qed.
-
-Lemma eq_edges m (f g : V -> 'cV[R]_m) t : {in M t, f =1 g} -> edges f t = edges g t.
-Proof. by move=> e; apply/matrixP => a j; rewrite !mxE !e ?mem_order. Qed.
 
 Variable X : V -> 'cV[R]_n.
 Implicit Types (A E : 'M[R]_n) (b : 'cV[R]_n) (u : V -> 'cV[R]_n).
