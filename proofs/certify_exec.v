@@ -291,3 +291,40 @@ case: certify_exec => [[[ok pm cf] [la [sz /(_ ok) C]]]|||||] /=.
   by have [_ _ [x [y [cx cy _ _ [e]]]]] := R ok; rewrite con.
 - by move=> p bad; split=> // -[ok [pm cf _ la _]]; case: bad; split=> //; exists ok.
 Qed.
+
+(* Then the cells of `after` are a complex isomorphic to unglue(before, cut),  *)
+(* cell by cell; nw bounds the numbers of its vertices.                        *)
+Theorem certify_exec_isomorphic n nv nw before cut after :
+  fits nv before -> fits nw.+1 after -> certify_exec n before cut after = Accepted ->
+  exists (ok : wf n nv (nats before)) 
+      (N : complex n [finType of 'I_nw.+1] [finType of 'I_(size (nats before))]),
+    (forall t, N t = [set w : 'I_nw.+1 | pos w \in nth [::] after t]) /\
+    isomorphic (unglue (ecomplex ok) (ecut nv (nats cut))) N.
+Proof.
+move=> fit fita /(certify_exec_correct n cut after fit)[ok [_ _ sz la]].
+move=> /certify_sound_complete/certifiedP same.
+pose lab (x : 'I_nv * 'I_(size (nats before))) : 'I_nw.+1 :=
+  inord (num (vertex_after before after x)).
+have cell_after (t : 'I_(size (nats before))) : nth [::] after t \in after.
+  by rewrite mem_nth // -sz -(size_map (map num)).
+have size_after (t : 'I_(size (nats before))) : size (nth [::] after t) = n.+1.
+  by move: (allP la _ (cell_after t)) => /eqP.
+have listed x : corner (ecomplex ok) x ->
+    vertex_after before after x \in nth [::] after x.2.
+  rewrite /corner in_cell => vt; rewrite mem_nth // size_after -(size_cell ok x.2).
+  by rewrite index_mem.
+have labK x : corner (ecomplex ok) x -> pos (lab x) = vertex_after before after x.
+  move=> /listed xa; rewrite /lab inordK ?numK //.
+  exact: (allP (allP fita _ (cell_after _)) _ xa).
+have cert : certified (ecomplex ok) (ecut nv (nats cut)) lab.
+  apply/certifiedP => x y cx cy; rewrite -same // -!labK //.
+  by apply/eqP/eqP => [->//|/pos_inj].
+have [N NE iso] := certified_isomorphic cert; exists ok, N; split=> // t; rewrite NE.
+apply/setP => w; rewrite inE; apply/imsetP/idP => [[v vt ->]|/(nthP 1%positive)[i il iw]].
+  by rewrite labK //; apply: (listed (v, t)).
+rewrite size_after -(size_cell ok t) in il.
+have vt := mem_nth 1%positive il; have [v vE] := vertex_of ok vt.
+exists v; first by rewrite in_cell vE.
+apply: pos_inj; rewrite labK; last by rewrite /corner in_cell /= vE.
+by rewrite /vertex_after /= vE index_uniq ?(cell_uniq (wf_uniq ok)).
+Qed.
