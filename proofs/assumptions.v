@@ -235,6 +235,8 @@ Locate certify_exec.certify_exec_means.
 Print Assumptions certify_exec.certify_exec_means.
 Locate certify_exec.certify_exec_correct.
 Print Assumptions certify_exec.certify_exec_correct.
+Locate certify_exec.certify_exec_isomorphic.
+Print Assumptions certify_exec.certify_exec_isomorphic.
 Locate unglue_exec.unglue_exec_correct.
 Print Assumptions unglue_exec.unglue_exec_correct.
 Locate unglue_exec.unglue_exec_least.
