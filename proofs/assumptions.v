@@ -43,6 +43,7 @@ From Cleave Require elasticity.
 From Cleave Require equation1.
 From Cleave Require rigid_motion.
 From Cleave Require elastic_kernel.
+From Cleave Require supports.
 From Cleave Require stiffness_matrix.
 From Cleave Require kernel_dimension.
 From Cleave Require lemma1.
@@ -317,6 +318,10 @@ Locate elastic_kernel.T9_supported.
 Print Assumptions elastic_kernel.T9_supported.
 Locate elastic_kernel.T9_kernel_unglue.
 Print Assumptions elastic_kernel.T9_kernel_unglue.
+Locate supports.T9_facet_supports.
+Print Assumptions supports.T9_facet_supports.
+Locate supports.T9_axis_free.
+Print Assumptions supports.T9_axis_free.
 Locate stiffness_matrix.T9_stiffness_matrix.
 Print Assumptions stiffness_matrix.T9_stiffness_matrix.
 Locate stiffness_matrix.T9_element_symmetric.
@@ -453,10 +458,14 @@ Locate examples.fig7_is_interior.
 Print Assumptions examples.fig7_is_interior.
 Locate fem.T9_block_unglue.
 Print Assumptions fem.T9_block_unglue.
+Locate kernel_dimension.T9_kernel_dim_unglue.
+Print Assumptions kernel_dimension.T9_kernel_dim_unglue.
 Locate lemma1.lemma1_bound.
 Print Assumptions lemma1.lemma1_bound.
 Locate lemma1.lemma1_single.
 Print Assumptions lemma1.lemma1_single.
+Locate lemma1.tiebreak_bounded.
+Print Assumptions lemma1.tiebreak_bounded.
 Locate orientation.osame_or_mate.
 Print Assumptions orientation.osame_or_mate.
 Locate relabelling.relabel_iso.
@@ -467,5 +476,11 @@ Locate rigid_motion.grad_uniq.
 Print Assumptions rigid_motion.grad_uniq.
 Locate star_opening.theoremC_boundary.
 Print Assumptions star_opening.theoremC_boundary.
+Locate star_opening.theoremC_front.
+Print Assumptions star_opening.theoremC_front.
+Locate stiffness_matrix.T9_elastic_block.
+Print Assumptions stiffness_matrix.T9_elastic_block.
+Locate supports.T9_vertex_free.
+Print Assumptions supports.T9_vertex_free.
 Locate torus.torus_not_simply_connected.
 Print Assumptions torus.torus_not_simply_connected.
