@@ -51,6 +51,7 @@ From Cleave Require crossing_point.
 From Cleave Require nearest_vertex.
 From Cleave Require parity.
 From Cleave Require dual_edge.
+From Cleave Require ridge_loop.
 From Cleave Require star_opening.
 From Cleave Require torus.
 From Cleave Require theorems.
@@ -380,6 +381,10 @@ Locate dual_edge.theoremB_even.
 Print Assumptions dual_edge.theoremB_even.
 Locate dual_edge.theoremB_no_rim.
 Print Assumptions dual_edge.theoremB_no_rim.
+Locate ridge_loop.loop_exists.
+Print Assumptions ridge_loop.loop_exists.
+Locate ridge_loop.theoremB_loop_exists.
+Print Assumptions ridge_loop.theoremB_loop_exists.
 Locate star_opening.theoremC.
 Print Assumptions star_opening.theoremC.
 Locate star_opening.theoremC_walks.
