@@ -271,6 +271,10 @@ Locate elasticity.T9_elastic_exact.
 Print Assumptions elasticity.T9_elastic_exact.
 Locate elasticity.T9_work.
 Print Assumptions elasticity.T9_work.
+Locate elasticity.T9_work_symmetric.
+Print Assumptions elasticity.T9_work_symmetric.
+Locate elasticity.T9_work_self.
+Print Assumptions elasticity.T9_work_self.
 Locate elasticity.T9_forces_eq0.
 Print Assumptions elasticity.T9_forces_eq0.
 Locate equation1.equation1_printed_rotation.
@@ -299,6 +303,8 @@ Locate rigid_motion.T9_facet_held.
 Print Assumptions rigid_motion.T9_facet_held.
 Locate rigid_motion.T9_shared_facet.
 Print Assumptions rigid_motion.T9_shared_facet.
+Locate elastic_kernel.T9_simplex_volume_gt0.
+Print Assumptions elastic_kernel.T9_simplex_volume_gt0.
 Locate elastic_kernel.T9_piece_disjoint.
 Print Assumptions elastic_kernel.T9_piece_disjoint.
 Locate elastic_kernel.T9_stiffness_symmetric.
@@ -323,12 +329,20 @@ Locate supports.T9_facet_supports.
 Print Assumptions supports.T9_facet_supports.
 Locate supports.T9_axis_free.
 Print Assumptions supports.T9_axis_free.
+Locate supports.T9_vertex_free.
+Print Assumptions supports.T9_vertex_free.
 Locate stiffness_matrix.T9_stiffness_matrix.
 Print Assumptions stiffness_matrix.T9_stiffness_matrix.
 Locate stiffness_matrix.T9_element_symmetric.
 Print Assumptions stiffness_matrix.T9_element_symmetric.
+Locate stiffness_matrix.T9_elastic_block.
+Print Assumptions stiffness_matrix.T9_elastic_block.
+Locate kernel_dimension.T9_dim_skews.
+Print Assumptions kernel_dimension.T9_dim_skews.
 Locate kernel_dimension.T9_kernel_dim.
 Print Assumptions kernel_dimension.T9_kernel_dim.
+Locate kernel_dimension.T9_kernel_dim_unglue.
+Print Assumptions kernel_dimension.T9_kernel_dim_unglue.
 Locate lemma1.lemma1_mended.
 Print Assumptions lemma1.lemma1_mended.
 Locate lemma1.lemma1_exact.
@@ -463,8 +477,6 @@ Locate examples.fig7_is_interior.
 Print Assumptions examples.fig7_is_interior.
 Locate fem.T9_block_unglue.
 Print Assumptions fem.T9_block_unglue.
-Locate kernel_dimension.T9_kernel_dim_unglue.
-Print Assumptions kernel_dimension.T9_kernel_dim_unglue.
 Locate lemma1.lemma1_bound.
 Print Assumptions lemma1.lemma1_bound.
 Locate lemma1.lemma1_single.
@@ -483,9 +495,5 @@ Locate star_opening.theoremC_boundary.
 Print Assumptions star_opening.theoremC_boundary.
 Locate star_opening.theoremC_front.
 Print Assumptions star_opening.theoremC_front.
-Locate stiffness_matrix.T9_elastic_block.
-Print Assumptions stiffness_matrix.T9_elastic_block.
-Locate supports.T9_vertex_free.
-Print Assumptions supports.T9_vertex_free.
 Locate torus.torus_not_simply_connected.
 Print Assumptions torus.torus_not_simply_connected.

@@ -51,7 +51,7 @@ Record body (R : realFieldType) n (V T : finType) (M : complex n V T) := Body {
 (* The volume of the simplex with edge matrix P, as the C++ computes it. *)
 Definition simplex_volume (R : realFieldType) n (P : 'M[R]_n) : R := `|\det P| / n`!%:R.
 
-Lemma simplex_volume_gt0 (R : realFieldType) n (P : 'M[R]_n) :
+Theorem T9_simplex_volume_gt0 (R : realFieldType) n (P : 'M[R]_n) :
   P \in unitmx -> 0 < simplex_volume P.
 Proof. by rewrite unitmxE unitfE => nz; rewrite divr_gt0 ?normr_gt0 ?ltr0n ?fact_gt0. Qed.
 

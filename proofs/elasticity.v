@@ -227,12 +227,12 @@ by rewrite /dot trmx_mul trmxK -mulmxA mxtrace_mulC -mulmxA.
 Qed.
 
 (* T9: hence the forces of U do the same work along W as the forces of W along U. *)
-Corollary T9_work_symmetric vol mu la P U W :
+Theorem T9_work_symmetric vol mu la P U W :
   dot (forces vol mu la P U) W = dot (forces vol mu la P W) U.
 Proof. by rewrite !T9_work !dot_stress [dot (strain _) _]dotC [la * _ * _]mulrAC. Qed.
 
 (* T9: along its own displacement the work of the forces is twice the energy. *)
-Corollary T9_work_self vol mu la P U :
+Theorem T9_work_self vol mu la P U :
   dot (forces vol mu la P U) U = 2%:R * (vol * energy_density mu la (strain (gradient P U))).
 Proof. by rewrite T9_work dot_stress_self mulrCA. Qed.
 

@@ -6,7 +6,7 @@
 (*   displacement g == the displacement that moves each piece by its motion in *)
 (*                     g, a rotation and a translation for each piece          *)
 (* n_comp (adjacent M) T is the number of pieces, each counted by its root.    *)
-(* Theorems: dim_skews, T9_kernel_dim (n(n + 1)/2 for each piece),             *)
+(* Theorems: T9_dim_skews, T9_kernel_dim (n(n + 1)/2 for each piece),          *)
 (* T9_kernel_dim_unglue (after any cut).                                       *)
 (* In C++: rigid_modes.hpp, six modes for each piece.                          *)
 (*******************************************************************************)
@@ -83,7 +83,7 @@ Lemma entry_lower c (i j : 'I_n) : (j <= i)%N -> entry c i j = 0.
 Proof. by move=> ji; rewrite /entry insubF //= ltnNge ji. Qed.
 
 (* Skew matrices of size n have n(n - 1)/2 free entries. *)
-Lemma dim_skews : \dim skews = 'C(n, 2).
+Theorem T9_dim_skews : \dim skews = 'C(n, 2).
 Proof.
 rewrite (@dim_param _ _ _ (Linear skew_of_linear)) /=; last first.
 - move=> A; rewrite memskew; split=> [/eqP skew|[c ->]]; last first.
@@ -197,7 +197,7 @@ rewrite (@dim_param _ _ _ (Linear displacement_linear)) /=; last first.
   have [rot tr] := T9_kernel_unique (r g (val p)) (r0 (val p)).
   by apply: injective_projections; first exact: val_inj.
 have -> : Vector.dim motions = (#|{: piece_root}| * (\dim (skews R n) + n * 1))%N by [].
-rewrite dim_skews muln1 card_sig binS bin1 /n_comp_mem; congr (_ * _)%N.
+rewrite T9_dim_skews muln1 card_sig binS bin1 /n_comp_mem; congr (_ * _)%N.
 by apply: eq_card => t; rewrite !inE andbT.
 Qed.
 
@@ -205,7 +205,7 @@ End KernelDimension.
 
 (* T9: after any cut, of any complex, one rigid motion is left to each component of *)
 (* the dual graph without the cut facets.                                           *)
-Corollary T9_kernel_dim_unglue (R : realFieldType) n (V T : finType) (M : complex n V T)
+Theorem T9_kernel_dim_unglue (R : realFieldType) n (V T : finType) (M : complex n V T)
     (B : body R M) (C : {set {set V}}) : (0 < n)%N ->
   \dim (kernel (unglue_body B C)) = (n_comp (dual M C) T * 'C(n.+1, 2))%N.
 Proof.

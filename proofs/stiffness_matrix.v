@@ -126,7 +126,7 @@ Qed.
 
 (* T9: in a cut-regular complex the elastic stiffness matrix is block diagonal, one *)
 (* block for each piece.                                                            *)
-Corollary T9_elastic_block v w t s : cut_regular M ->
+Theorem T9_elastic_block v w t s : cut_regular M ->
   v \in M t -> w \in M s -> ~~ connect (adjacent M) t s -> assembled element v w = 0.
 Proof. exact/T9_block/element_local. Qed.
 

@@ -70,7 +70,7 @@ by rewrite -mulmxBr mulmxBl -!mulmxA e1 e2 !mulmx0 subr0 mxE.
 Qed.
 
 (* T9: in two or more dimensions, a piece that is held in at most one vertex turns. *)
-Corollary T9_vertex_free D t w : cut_regular M -> (1 < n)%N ->
+Theorem T9_vertex_free D t w : cut_regular M -> (1 < n)%N ->
   (forall v i, v \in piece M t -> (v, i) \in D -> v = w) -> ~ definite D.
 Proof.
 move=> reg n_gt1 one; pose i := Ordinal (ltnW n_gt1); pose j := Ordinal n_gt1.
