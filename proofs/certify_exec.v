@@ -15,7 +15,8 @@
 (*                                                                            *)
 (* Theorems: certify_exec_means (every verdict is justified, with the clause  *)
 (* and the corners it names), certify_exec_correct (Accepted exactly if       *)
-(* `after` is unglue(before, cut) up to renaming of vertices).                *)
+(* `after` is unglue(before, cut) up to renaming of vertices; said again with *)
+(* isomorphic in certify_exec_isomorphic).                                    *)
 (******************************************************************************)
 From Coq Require Import PArith FMapPositive.
 From mathcomp Require Import all_ssreflect.

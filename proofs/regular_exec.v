@@ -8,7 +8,7 @@
 (*                    complexes of listed_complex.v                           *)
 (*                                                                            *)
 (* Theorem regularP: what it answers is so. For an example, the script is     *)
-(* `apply: regular_by; vm_compute` or `apply: irregular_by; vm_compute`       *)
+(* `by apply: regular_by; vm_compute`, or irregular_by for the contrary       *)
 (* (mathcomp's connect does not compute).                                     *)
 (******************************************************************************)
 From Coq Require Import PArith FMapPositive.
