@@ -51,6 +51,9 @@ findings_in() {
       sections == 0 && line ~ /^ ((Local|Global|Polymorphic) )?(Variable|Variables|Hypothesis|Hypotheses|Context) / {
         find("outside a section") }'
   done
+  for file in "$folder"/*.v; do
+    grep -qxF "${file##*/}" "$folder/_CoqProject" || echo "${file##*/}"
+  done | grep -vxE 'assumptions\.v|extract\.v' | sed 's/$/: not in _CoqProject/' || true
   printed "$folder" >"$scratch/printed"
   theorems "$folder" | grep -vxFf "$scratch/printed" | sed 's/$/: not in assumptions.v/' || true
 }

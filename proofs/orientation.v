@@ -70,8 +70,6 @@ exists (r * s)%g => [i|]; first by rewrite e' e permM.
 by rewrite odd_permM sgn' sgn -addbA [odd_perm s (+) _]addbC.
 Qed.
 
-Lemma mateK : involutive mate. Proof. by case=> e a; rewrite /mate /= negbK. Qed.
-
 Lemma osame_mate a b : osame (mate a) b = osame a (mate b).
 Proof.
 apply/osameP/osameP => -[s e sgn]; exists s => //; move: sgn => /=.
