@@ -27,8 +27,11 @@
    cleave-certify FILE            one certificate; - is the standard input. Prints one line:
                                   accepted | rejected: CLAUSE: where, with CLAUSE one of cells,
                                   parent, uncut, connected: the first one that fails in this order.
-                                  Exit status: 0 accepted, 1 rejected, 2 usage, 3 malformed or
-                                  unreadable (message on stderr, nothing on stdout).
+                                  Exit status: 0 accepted, 1 rejected, 2 usage, 3 malformed, or a
+                                  file that cannot be read or written, 4 the checker itself failed,
+                                  out of memory say. From 2 on there is a message on stderr and no
+                                  verdict on stdout. Death by a signal is no verdict either: where
+                                  the runtime or the system cannot go on, they end the program so.
    cleave-certify --unglue FILE   prints unglue(before, cut) as a partition of corners, whatever
                                   `after` says: `classes N`, N the number of cells, then a row for
                                   each cell with the class of each of its corners. A class is named
@@ -36,7 +39,8 @@
    --batch                        FILE holds any number of certificates one after another. For each
                                   it prints what the single mode prints, but a malformed one gets a
                                   line `malformed: FILE:LINE: what` on stdout, and reading goes on
-                                  at the next `cleave-certificate`. Exit status: the worst one. *)
+                                  at the next `cleave-certificate`. Exit status: the worst one. What
+                                  was printed before a failure stands. *)
 
 open Certificate
 module V = Verified
@@ -51,7 +55,8 @@ let help =
    \  --batch   FILE holds any number of certificates\n\
    \  --help    print this and stop\n\
    \n\
-   Exit status: 0 accepted, 1 rejected, 2 usage, 3 malformed or unreadable.\n"
+   Exit status: 0 accepted, 1 rejected, 2 usage, 3 malformed, or not to be read or written,\n\
+   4 the checker itself failed, so there is no verdict; nor is there after death by a signal.\n"
 
 (* Where a corner is. *)
 
@@ -143,24 +148,31 @@ let rec batch worst answer file source =
       skip source;
       batch 3 answer file source
 
+let complain what = Printf.eprintf "cleave-certify: %s\n" what
+
+(* What a run returns once its output is written, or the status of what kept it from that. Only a
+   verdict may end in 0 or 1, and OCaml's own status for an exception, 2, would look like usage. *)
+let guarded run =
+  let failed what = complain (what ^ "; no verdict"); 4 in
+  match let status = run () in flush stdout; status with
+  | status -> status
+  | exception Sys_error what -> complain what; 3
+  | exception Out_of_memory -> failed "out of memory"
+  | exception Stack_overflow -> failed "out of stack"
+  | exception other -> failed ("a defect of the checker: " ^ Printexc.to_string other)
+
 let run answer many file =
   let read channel =
     let source = of_channel channel in
-    let status = if many then batch 0 answer file source else single answer file source in
-    flush stdout;
-    status
+    if many then batch 0 answer file source else single answer file source
   in
-  try
-    if file = "-" then read stdin
-    else
-      let channel = open_in_bin file in
-      Fun.protect ~finally:(fun () -> close_in_noerr channel) (fun () -> read channel)
-  with Sys_error what ->
-    Printf.eprintf "cleave-certify: %s\n" what;
-    3
+  if file = "-" then read stdin
+  else
+    let channel = open_in_bin file in
+    Fun.protect ~finally:(fun () -> close_in_noerr channel) (fun () -> read channel)
 
 let usage what =
-  Printf.eprintf "cleave-certify: %s\n%s" what "usage: cleave-certify [--unglue] [--batch] FILE\n";
+  complain (what ^ "\nusage: cleave-certify [--unglue] [--batch] FILE");
   2
 
 let rec main answer many file = function
@@ -175,4 +187,6 @@ let rec main answer many file = function
 (* Fewer, larger collections: the maps of a large mesh live until the verdict. *)
 let () = Gc.set { (Gc.get ()) with minor_heap_size = 1 lsl 22; space_overhead = 400 }
 
-let () = exit (main verdict false None (List.tl (Array.to_list Sys.argv)))
+let () =
+  let words = List.tl (Array.to_list Sys.argv) in
+  exit (guarded (fun () -> main verdict false None words))

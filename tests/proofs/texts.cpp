@@ -4,6 +4,7 @@
 #include <map>
 
 #include "conformance.hpp"
+#include "error.hpp"
 #include "sample.hpp"
 
 namespace cleave::proofs {
@@ -115,6 +116,21 @@ std::string small_certificate(std::uint64_t& number, Rng& rng) {
   }
 }
 
+/// How often the checker calls it a success, or a verdict, that its output could not be written.
+std::size_t lost_outputs(const Checker& checker, const std::string& text) {
+  const Folder folder;
+  const std::filesystem::path file = folder.put("one", text);
+  std::size_t wrong = 0;
+  for (const std::string options : {"", "--batch", "--unglue", "--help"}) {
+    const int status = checker.run(options + " >/dev/full", file).second;
+    if (status == app::kBadInput) continue;
+    std::cout << "WRONG: on a full disk the checker exits with " << status << ' ' << options
+              << '\n';
+    ++wrong;
+  }
+  return wrong;
+}
+
 }  // namespace
 
 bool compare_texts(const Checker& checker, std::uint64_t texts, std::uint64_t seed) {
@@ -139,6 +155,7 @@ bool compare_texts(const Checker& checker, std::uint64_t texts, std::uint64_t se
       std::cout << "WRONG: C++ says " << by_cpp << ", the checker " << by_proofs << ":\n"
                 << text << '\n';
   }
+  wrong += lost_outputs(checker, original);
   std::cout << texts << " texts, nearly certificates; both judges, each in a run of its own, say";
   for (const auto& [verdict, count] : verdicts) std::cout << "\n  " << verdict << ": " << count;
   std::cout << '\n' << wrong << " wrong\n";
