@@ -165,10 +165,11 @@ class Drawing:
         self.rows.append(f'<text x="{p[0]:.1f}" y="{p[1]:.1f}" text-anchor="{anchor}" font-size="{size}"'
                          f'{bold}{style} fill="{colour}">{words}</text>')
 
-    def write(self, folder, name):
+    def write(self, folder, name, title):
         with open(os.path.join(folder, name + ".svg"), "w", encoding="utf-8") as out:
             out.write(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {self.width} {self.height}" '
-                      f'width="{self.width * 3 // 4}" height="{self.height * 3 // 4}" font-family="sans-serif">\n'
+                      f'width="{self.width * 3 // 4}" height="{self.height * 3 // 4}" role="img" '
+                      f'font-family="sans-serif">\n<title>{title}</title>\n'
                       f'<rect width="{self.width}" height="{self.height}" fill="#ffffff"/>\n'
                       + "\n".join(self.rows) + "\n</svg>\n")
 
@@ -214,8 +215,8 @@ def draw_cut(drawing, cells, places, cut, gape=0.16, fill=CELL):
 
 # ---- the pictures ----------------------------------------------------------------------------------
 
-def figure_7(folder):
-    """Six triangles; the edge between the two inner vertices alone."""
+def figure_7():
+    """Six triangles; the edge between the two inner vertices alone stays shut."""
     cells = [(0, 1, 2), (0, 2, 4), (0, 4, 3), (0, 3, 1), (1, 3, 5), (1, 5, 2)]
     cut = {frozenset((0, 1))}
     assert not opened(cells, cut)
@@ -233,11 +234,11 @@ def figure_7(folder):
         drawing.dot(p)
         beside = {0: (p[0] - 13, p[1] - 7), 1: (p[0] + 13, p[1] - 7)}.get(v) or outside(p, (240, 150), 16)
         drawing.text(beside, v, size=16)
-    drawing.write(folder, "figure-7")
+    return drawing
 
 
-def split_tetrahedron(folder):
-    """A tetrahedron split into four at an inner vertex; one inner facet."""
+def split_tetrahedron():
+    """A tetrahedron split into four at an inner vertex; one inner facet alone stays shut."""
     cells = [(0, 1, 2, 4), (0, 1, 3, 4), (0, 2, 3, 4), (1, 2, 3, 4)]
     inner = [facet for facet, at in sides(cells).items() if len(at) == 2]
     assert len(inner) == 6 and all(not opened(cells, {facet}) for facet in inner)
@@ -256,10 +257,10 @@ def split_tetrahedron(folder):
         drawing.dot(p)
         shift = {0: (-14, 12), 1: (14, 12), 2: (14, -6), 3: (0, -10), 4: (-4, -11)}[v]
         drawing.text((p[0] + shift[0], p[1] + shift[1]), v, size=16)
-    drawing.write(folder, "split-tetrahedron")
+    return drawing
 
 
-def glue(folder):
+def glue():
     """Figure 6: the corners at a vertex, those that are glued, and a copy for each class."""
     cells = [(0, i, i % 6 + 1) for i in range(1, 7)]
     cut = {frozenset((0, 1)), frozenset((0, 3))}
@@ -300,11 +301,11 @@ def glue(folder):
             for v in range(1, 7):
                 drawing.text(outside(places[v], (x, y), 15), v, size=16)
         drawing.text((x, 318), words, QUIET)
-    drawing.write(folder, "glue")
+    return drawing
 
 
-def figure_8(folder):
-    """Two triangles that share a vertex and no facet; the empty cut."""
+def figure_8():
+    """Two triangles that share a vertex and no facet, before and after the empty cut."""
     cells = [(0, 1, 2), (0, 3, 4)]
     assert copies(cells, set(), 0) == 2
     drawing = Drawing(480, 250)
@@ -326,10 +327,10 @@ def figure_8(folder):
             drawing.text((right[0], 96), 5, size=16)
     drawing.text((120, 230), "before", QUIET)
     drawing.text((360, 230), "after the empty cut", QUIET)
-    drawing.write(folder, "figure-8")
+    return drawing
 
 
-def strip(folder):
+def strip():
     """Eight triangles: two cuts that open nothing one after the other, and both edges at once."""
     cells = [(0, 1, 3), (1, 2, 3), (0, 1, 4), (1, 2, 4), (0, 3, 5), (0, 4, 5), (2, 3, 6), (2, 4, 6)]
     one, other = frozenset((0, 1)), frozenset((1, 2))
@@ -352,10 +353,10 @@ def strip(folder):
             label = 7 if v == 1 and panel == 2 and p[1] > 130 else v
             drawing.text((p[0] + dx, p[1] + dy), label, size=14)
         drawing.text((x, 278), words, QUIET)
-    drawing.write(folder, "strip")
+    return drawing
 
 
-def lemma_1(folder):
+def lemma_1():
     """Heights of four vertices over a plane at which the closest-vertex set has all four."""
     half = Fraction(1, 2)
     drawing = Drawing(640, 300)
@@ -394,10 +395,10 @@ def lemma_1(folder):
                              anchor="start" if side > 0 else "end")
     drawing.text((160, 286), "two above, two below", QUIET)
     drawing.text((480, 286), "one above, three below", QUIET)
-    drawing.write(folder, "lemma-1")
+    return drawing
 
 
-def branching(folder):
+def branching():
     """Nearest-vertex selection on a straight sweep in general position that branches."""
     inner, outer = (0, -2), [(-2, -10), (5, 3), (1, 1), (-10, 4)]
     points = [inner] + outer
@@ -427,11 +428,11 @@ def branching(folder):
         shift = {0: (-14, 14), 1: (16, 6), 2: (14, 0), 3: (10, -8), 4: (-12, 0)}[v]
         x, y = place(p)
         drawing.text((x + shift[0], y + shift[1]), v, size=16)
-    drawing.write(folder, "branching")
+    return drawing
 
 
-def equation_1(folder):
-    """The printed equation: a rotation of the unit cell produces forces; a sheared cell is not symmetric."""
+def equation_1():
+    """A rotation of the unit cell, and the forces that equation (1) as printed makes of it."""
     unit = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
     rotated = [(-y, x, 0) for x, y, _ in unit]  # e3 cross p
     lame = (Fraction(1), Fraction(1))
@@ -466,10 +467,10 @@ def equation_1(folder):
     for y, colour, words in ((42, GREEN, "displacement"), (66, WRONG, "force as printed")):
         drawing.arrow((340, y), (380, y), colour, 2.4)
         drawing.text((388, y + 5), words, INK, 14, anchor="start")
-    drawing.write(folder, "equation-1")
+    return drawing
 
 
-def supports(folder):
+def supports():
     """A cell held in one vertex: a rotation about it costs no energy, so K is not definite."""
     points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
     rotated = [(-y, x, 0) for x, y, _ in points]
@@ -493,10 +494,10 @@ def supports(folder):
     drawing.line([(146, 277), (194, 277)], INK, 2)
     drawing.dot((170, 250), WRONG, 5)
     drawing.text((205, 270), "the only vertex held", INK, 14, anchor="start")
-    drawing.write(folder, "supports")
+    return drawing
 
 
-def hinge(folder):
+def hinge():
     """Two triangles that share a vertex and no facet turn about it, and no strain tells."""
     cells = [(0, 1, 2), (0, 3, 4)]
     assert copies(cells, set(), 0) == 2 and not any(len(at) == 2 for at in sides(cells).values())
@@ -517,11 +518,11 @@ def hinge(folder):
     drawing.dot(place(0, 0), WRONG, 5)
     drawing.text((240, 216), "hinge", WRONG, 15)
     drawing.text((90, 274), "held", INK, 14)
-    drawing.write(folder, "hinge")
+    return drawing
 
 
-def torus(folder):
-    """The torus with seven vertices; the cone facets over a cycle that does not separate it."""
+def torus():
+    """The torus with seven vertices unrolled, and on it a cycle that does not separate it."""
     triangles = [tuple(sorted((i, (i + a) % 7, (i + 3) % 7))) for i in range(7) for a in (1, 2)]
     assert len(set(triangles)) == 14 and all(len(at) == 2 for at in sides(triangles).values())
     cycle = (0, 1, 2)
@@ -534,7 +535,7 @@ def torus(folder):
     for vertex in cycle:  # every interior ridge at the apex has degree 0 or 2
         assert sum(frozenset((7, vertex)) <= facet for facet in cut) == 2
     assert not opened(cells, cut) and copies(cells, cut, 7) == 1
-    drawing = Drawing(520, 200)
+    drawing = Drawing(520, 226)
     # Unrolled: a step right adds 1 to the number of a vertex, a step up adds 3.
     place = lambda i, j: (42 + 56 * i + 28 * j, 148 - 92 * j)
     number = lambda i, j: (i + 3 * j) % 7
@@ -550,11 +551,12 @@ def torus(folder):
     for at in grid:
         drawing.dot(place(*at), "#ffffff", 10)
         drawing.text((place(*at)[0], place(*at)[1] + 5), number(*at), INK, 15)
-    drawing.text((260, 188), "equal numbers are one vertex", QUIET)
-    drawing.write(folder, "torus")
+    drawing.text((260, 188), "orange: the cut, three facets from these edges to tip 7", SHUT)
+    drawing.text((260, 212), "equal numbers are one vertex; the mesh joins each triangle to tips 7 and 8", QUIET, 14)
+    return drawing
 
 
-def moebius(folder):
+def moebius():
     """Five triangles on five vertices, every edge in at most two, that nothing orients."""
     cells = [(0, 1, 2), (1, 2, 3), (2, 3, 4), (3, 4, 0), (4, 0, 1)]
     assert all(len(at) <= 2 for at in sides(cells).values())
@@ -588,10 +590,10 @@ def moebius(folder):
         drawing.dot(p, INK, 3.5)
         drawing.text((p[0], p[1] + (22 if p[1] > 100 else -10)), v, size=16)
     drawing.text((240, 215), "the two red edges are one", QUIET)
-    drawing.write(folder, "moebius")
+    return drawing
 
 
-def first_step(folder):
+def first_step():
     """One step of conjugate gradients that lowers the error by less than the bound allows."""
     kappa = 4
     error = (Fraction(4), Fraction(1))  # of the start; the matrix is diag(1, 4)
@@ -618,14 +620,14 @@ def first_step(folder):
     drawing.text((62, 287), "one step: 3/5 of the error is left", INK, 14, anchor="start")
     drawing.line([(314, 282), (344, 282)], GREEN, 1.4, "5 4")
     drawing.text((352, 287), "1/3 of it", INK, 14, anchor="start")
-    drawing.write(folder, "first-step")
+    return drawing
 
 
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
     for draw in (figure_7, split_tetrahedron, glue, figure_8, strip, lemma_1, branching, equation_1, supports,
                  hinge, torus, moebius, first_step):
-        draw(folder)
+        draw().write(folder, draw.__name__.replace("_", "-"), draw.__doc__)  # one line, without < and &
 
 
 if __name__ == "__main__":
