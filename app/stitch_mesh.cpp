@@ -93,6 +93,28 @@ std::vector<std::uint64_t> numbers_in(const Mesh& mesh, const std::string& path)
   return numbers;
 }
 
+// Nothing is left of the cut: the result is the original itself. If that is not cut-regular it is
+// no result of a cut: even the empty one separates such vertices (T12, the way back).
+template <int D>
+void give_original_back(const CutSource& source, const StitchOptions& options,
+                        const CutState<D>& state, StitchResult& result) {
+  result.mesh = source.original();
+  std::set<std::uint64_t> joining;
+  for (const auto& split : state.body.regularized) joining.insert(state.body.number(split.vertex));
+  if (joining.empty()) return;
+  const std::string again = fmt::format(
+      "nothing is left of the cut, so {} is the mesh from before it, in which {} parts "
+      "that have no facet in common (such as {})",
+      options.out.empty() ? "the result" : options.out,
+      counted(joining.size(), "vertex joins", "vertices join"), *joining.begin());
+  if (!options.certificate.empty())
+    throw InputError(
+        fmt::format("{}: {}; that is no result of a cut, which separates them, so there is no "
+                    "certificate of it: leave --certificate out",
+                    options.mesh, again));
+  result.warnings.push_back(options.mesh + ": " + again);
+}
+
 template <int D>
 StitchResult stitch_cells(const CutSource& source, const StitchOptions& options,
                           Progress& progress) {
@@ -119,8 +141,9 @@ StitchResult stitch_cells(const CutSource& source, const StitchOptions& options,
   report.shut = state.incision.shut().size();
 
   progress.stage("naming what is open");
-  if (report.opened + report.shut == 0) {
-    result.mesh = source.original();
+  const bool whole = report.opened + report.shut == 0;
+  if (whole) {
+    give_original_back(source, options, state, result);
   } else {
     CutOutput output = output_of(state, numbering_of(target));
     result.record = record_of(state, output, target);
@@ -128,7 +151,8 @@ StitchResult stitch_cells(const CutSource& source, const StitchOptions& options,
       result.warnings.push_back(options.mesh + ": " + warning);
     result.mesh = std::move(output.mesh);
   }
-  if (options.verify == topology::Verify::all) certify(state, result.mesh);
+  if (options.verify == topology::Verify::all && !(whole && !state.body.regularized.empty()))
+    certify(state, result.mesh);
   if (!options.certificate.empty()) result.certificate = certificate_of(state, result.mesh, target);
   report.cells = source.mesh.cells().size();
   report.vertices_before = source.mesh.points.size();

@@ -46,9 +46,10 @@ struct StitchResult {
 };
 
 /// Takes facets back: the result is what cutting the others from the start gives (T12), and the
-/// original itself if no other is left. Nothing is written. Verified as options.verify says;
-/// Verify::all also certifies the cells. Throws InputError if MESH has no record, or for a name
-/// or a facet that is not there.
+/// original itself if no other is left, also an original that is not cut-regular (T12_regular:
+/// that alone is no unglue of it; a warning says so, and there is no certificate). Nothing is
+/// written. Verified as options.verify says; Verify::all also certifies the cells. Throws
+/// InputError if MESH has no record, or for a name or a facet that is not there.
 StitchResult stitch_mesh(const CutSource& source, const StitchOptions& options, Progress& progress);
 
 /// A few lines.

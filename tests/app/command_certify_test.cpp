@@ -56,6 +56,26 @@ std::string two_triangles(const std::string& after, const std::string& cut = "cu
          after + "end\n";
 }
 
+// T12_regular: to stitch all gives the start back; that is unglue of it iff it is cut-regular.
+TEST_F(Certify, WhatIsLeftOfAMeshThatIsNotCutRegularHasNoCertificateWhenNothingIs) {
+  for (const auto& [mesh, how] :
+       {std::pair<std::string, Args>{data("bowtie.msh"), {"--group", "line"}},
+        {data("liver-16k.mesh"), {"--sweep", data("liver.sweep.json")}}}) {
+    SCOPED_TRACE(mesh);
+    const std::string extension = std::filesystem::path(mesh).extension().string();
+    const std::string cut = "cut" + extension, whole = "whole" + extension;
+    Args args = {"cut", mesh, "-o", cut, "--certificate", "cut.cert", "--verify", "all"};
+    args.insert(args.end(), how.begin(), how.end());
+    done(args);
+    EXPECT_EQ(cleave({"certify", "cut.cert"}).out, "accepted\n");
+    refused({"stitch", cut, "-o", whole, "--all", "--certificate", "w.cert"}, "no certificate");
+    const Outcome back = cleave({"stitch", cut, "-o", whole, "--all", "--verify", "all"});
+    EXPECT_EQ(back.status, 0) << back.err;
+    EXPECT_NE(back.err.find("that have no facet in common"), std::string::npos) << back.err;
+    EXPECT_EQ(numbers_of(whole), numbers_of(mesh));
+  }
+}
+
 TEST_F(Certify, WhatCutWritesInEveryFormat) {
   for (const std::string extension : {".msh", ".mesh", ".vtu", ".vtk", ".inp", ".ele"}) {
     SCOPED_TRACE(extension);
