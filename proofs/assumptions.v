@@ -53,7 +53,9 @@ From Cleave Require parity.
 From Cleave Require dual_edge.
 From Cleave Require ridge_loop.
 From Cleave Require star_opening.
+From Cleave Require simply_connected.
 From Cleave Require torus.
+From Cleave Require hole.
 From Cleave Require theorems.
 Locate copies.T1_card.
 Print Assumptions copies.T1_card.
@@ -413,8 +415,16 @@ Locate star_opening.theoremC_triangles.
 Print Assumptions star_opening.theoremC_triangles.
 Locate star_opening.theoremC_path.
 Print Assumptions star_opening.theoremC_path.
+Locate simply_connected.theoremB_even_simply_connected.
+Print Assumptions simply_connected.theoremB_even_simply_connected.
+Locate simply_connected.theoremB_simply_connected.
+Print Assumptions simply_connected.theoremB_simply_connected.
+Locate simply_connected.theoremB_rim_simply_connected.
+Print Assumptions simply_connected.theoremB_rim_simply_connected.
 Locate torus.theoremC_counterexample.
 Print Assumptions torus.theoremC_counterexample.
+Locate hole.theoremB_counterexample.
+Print Assumptions hole.theoremB_counterexample.
 Locate theorems.T1.
 Print Assumptions theorems.T1.
 Locate theorems.T2.
@@ -477,6 +487,8 @@ Locate examples.fig7_is_interior.
 Print Assumptions examples.fig7_is_interior.
 Locate fem.T9_block_unglue.
 Print Assumptions fem.T9_block_unglue.
+Locate hole.annulus_not_simply_connected.
+Print Assumptions hole.annulus_not_simply_connected.
 Locate lemma1.lemma1_bound.
 Print Assumptions lemma1.lemma1_bound.
 Locate lemma1.lemma1_single.
@@ -491,6 +503,8 @@ Locate rigid_motion.gradP.
 Print Assumptions rigid_motion.gradP.
 Locate rigid_motion.grad_uniq.
 Print Assumptions rigid_motion.grad_uniq.
+Locate star_opening.simply_connected_triangles.
+Print Assumptions star_opening.simply_connected_triangles.
 Locate star_opening.theoremC_boundary.
 Print Assumptions star_opening.theoremC_boundary.
 Locate star_opening.theoremC_front.

@@ -556,6 +556,48 @@ def torus():
     return drawing
 
 
+def ring():
+    """Sixteen triangles around a hole, and a blade from the hole to the outside: one edge, one piece."""
+    cells = []
+    for i in range(8):
+        j = (i + 1) % 8
+        cells += [(i, 8 + i, j), (8 + i, j, 8 + j)]
+    around = [(2, 1), (1, 2), (-1, 2), (-2, 1), (-2, -1), (-1, -2), (1, -2), (2, -1)]
+    points = {i + 8 * k: (size * x, size * y) for i, (x, y) in enumerate(around) for k, size in ((0, 2), (1, 1))}
+    blade = ((Fraction(0), Fraction(0)), (Fraction(26, 5), Fraction(13, 5)))
+    turn = lambda p, q, r: (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+    centres = [tuple(Fraction(sum(points[v][k] for v in cell), 3) for k in range(2)) for cell in cells]
+    inner = {facet: at for facet, at in sides(cells).items() if len(at) == 2}
+    assert len(inner) == 16 and all(len(at) < 3 for at in sides(cells).values())
+
+    def crosses(at):
+        p, q = (centres[c] for c in at)
+        signs = [turn(*blade, p), turn(*blade, q), turn(p, q, blade[0]), turn(p, q, blade[1])]
+        assert 0 not in signs
+        return signs[0] * signs[1] < 0 and signs[2] * signs[3] < 0
+
+    cut = {facet for facet, at in inner.items() if crosses(at)}
+    assert cut == {frozenset((0, 8))} and opened(cells, cut) == cut
+    # Every vertex is on the boundary: no ridge inside at which the number could be odd.
+    assert all(any(v in facet and len(at) == 1 for facet, at in sides(cells).items()) for v in points)
+    reached = [0]
+    for c in reached:
+        for facet, at in inner.items():
+            reached += [d for d in at if c in at and facet not in cut and d not in reached]
+    assert len(reached) == len(cells)
+    drawing = Drawing(420, 330)
+    place = lambda p: (175 + 38 * float(p[0]), 165 - 38 * float(p[1]))
+    places = {v: place(p) for v, p in points.items()}
+    draw_cut(drawing, cells, places, cut, gape=0.13)
+    drawing.line([place(p) for p in blade], WRONG, 2.4)
+    for end in blade:
+        drawing.dot(place(end), WRONG, 4)
+    at = place((Fraction(26, 5), Fraction(13, 5)))
+    drawing.text((at[0], at[1] - 10), "blade", WRONG, 15)
+    drawing.text(place((Fraction(-1, 10), Fraction(-1))), "hole", QUIET, 15)
+    return drawing
+
+
 def moebius():
     """Five triangles on five vertices, every edge in at most two, that nothing orients."""
     cells = [(0, 1, 2), (1, 2, 3), (2, 3, 4), (3, 4, 0), (4, 0, 1)]
@@ -626,7 +668,7 @@ def first_step():
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
     for draw in (figure_7, split_tetrahedron, glue, figure_8, strip, lemma_1, branching, equation_1, supports,
-                 hinge, torus, moebius, first_step):
+                 hinge, torus, ring, moebius, first_step):
         draw().write(folder, draw.__name__.replace("_", "-"), draw.__doc__)  # one line, without < and &
 
 

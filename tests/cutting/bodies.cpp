@@ -115,15 +115,21 @@ Body<D> jittered(Nodes<D> nodes, double spacing, double jitter, Rng& rng) {
 }
 
 template <int D>
-Body<D> thinned(const Body<D>& body, double share, Rng& rng) {
-  support::Mesh<D> mesh{{body.k.cells().begin(), body.k.cells().end()}, body.k.vertex_count()};
-  std::vector<bool> keep(mesh.cells.size());
-  for (std::size_t c = 0; c < keep.size(); ++c) keep[c] = !rng.chance(share);
-  keep[0] = true;
+Body<D> part(const Body<D>& body, const std::vector<bool>& keep) {
+  const support::Mesh<D> mesh{{body.k.cells().begin(), body.k.cells().end()},
+                              body.k.vertex_count()};
   Body<D> rest = assembled<D>(support::sub_mesh(mesh, keep), body.points);
   rest.spacing = body.spacing;
   rest.nodes = body.nodes;
   return rest;
+}
+
+template <int D>
+Body<D> thinned(const Body<D>& body, double share, Rng& rng) {
+  std::vector<bool> keep(body.k.cell_count());
+  for (std::size_t c = 0; c < keep.size(); ++c) keep[c] = !rng.chance(share);
+  keep[0] = true;
+  return part(body, keep);
 }
 
 template <int D>
@@ -274,6 +280,8 @@ template Body<2> kuhn(Nodes<2>, double);
 template Body<3> kuhn(Nodes<3>, double);
 template Body<2> jittered(Nodes<2>, double, double, Rng&);
 template Body<3> jittered(Nodes<3>, double, double, Rng&);
+template Body<2> part(const Body<2>&, const std::vector<bool>&);
+template Body<3> part(const Body<3>&, const std::vector<bool>&);
 template Body<2> thinned(const Body<2>&, double, Rng&);
 template Body<3> thinned(const Body<3>&, double, Rng&);
 template Body<2> any_small(Rng&);

@@ -29,6 +29,10 @@ template <int D>
 Body<D> jittered(std::array<int, static_cast<std::size_t>(D)> nodes, double spacing, double jitter,
                  Rng& rng);
 
+/// The cells of `body` whose `keep` is true.
+template <int D>
+Body<D> part(const Body<D>& body, const std::vector<bool>& keep);
+
 /// Some of the cells of `body` are gone: holes, several pieces.
 template <int D>
 Body<D> thinned(const Body<D>& body, double share, Rng& rng);

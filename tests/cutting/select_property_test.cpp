@@ -235,8 +235,9 @@ std::optional<std::vector<int>> labels(const topology::Complex<D>& k, const Face
   return label;
 }
 
-// Theorem B: with its rim outside, a sweep chooses exactly the facets between two sets of cells,
-// and the cut along them separates.
+// Theorem B: a sweep whose rim is so far outside that it passes through no triangle of dual points
+// chooses exactly the facets between two sets of cells, and the cut along them separates; holes of
+// the body do not matter then.
 template <int D>
 void full_crossings_separate() {
   Rng rng = any_rng();

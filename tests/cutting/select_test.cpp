@@ -122,6 +122,53 @@ TEST(DualEdge, FourChosenFacetsMayMeetInARidge) {
   EXPECT_TRUE(found);
 }
 
+/// Eight squares (cubes) around a hole, so 16 triangles or 48 tetrahedra.
+template <int D>
+Body<D> ring() {
+  std::array<int, static_cast<std::size_t>(D)> nodes{4, 4};
+  if constexpr (D == 3) nodes[2] = 2;
+  const Body<D> body = bodies::kuhn<D>(nodes, 1);
+  std::vector<bool> keep;
+  for (const Point<D>& p : bodies::duals(body))
+    keep.push_back(std::max(std::abs(p[0] - 1.5), std::abs(p[1] - 1.5)) > 0.5);
+  return bodies::part(body, keep);
+}
+
+/// What the blade covers on its straight way; in space it stands upright and reaches beyond the
+/// body.
+template <int D>
+Sweep<D> straight(std::array<double, 2> from, std::array<double, 2> to) {
+  if constexpr (D == 2)
+    return sweep_of_polyline(std::vector<Point<2>>{from, to});
+  else
+    return sweep_of_blade(
+        std::vector<std::array<Point<3>, 2>>{{{{from[0], from[1], -1}, {from[0], from[1], 2}}},
+                                             {{{to[0], to[1], -1}, {to[0], to[1], 2}}}});
+}
+
+/// The rim of the sweep is outside the body, in part in its hole: what it chooses opens, but it is
+/// not all facets between two sets of cells. The next cut across parts the ring.
+template <int D>
+void a_full_crossing_of_a_ring_opens_it_without_parting_it() {
+  const Body<D> body = ring<D>();
+  const auto first = chosen(body, straight<D>({1.5, 1.5}, {1.4, -1}), kDualEdge);
+  const auto second = chosen(body, straight<D>({1.5, 1.5}, {1.4, 4}), kDualEdge);
+  EXPECT_FALSE(first.empty());
+  topology::Complex<D> k = body.k;
+  const topology::Relabelling change = topology::unglue(k, first);
+  EXPECT_EQ(change.opened.size(), first.size());
+  EXPECT_EQ(topology::pieces(k).count, 1u);
+  topology::unglue(k, second);
+  EXPECT_EQ(topology::pieces(k).count, 2u);
+}
+
+TEST(TheoremB, AFullCrossingOfARingOpensItWithoutPartingIt) {
+  a_full_crossing_of_a_ring_opens_it_without_parting_it<2>();
+}
+TEST(TheoremB, AFullCrossingOfASolidRingOpensItWithoutPartingIt) {
+  a_full_crossing_of_a_ring_opens_it_without_parting_it<3>();
+}
+
 // A cut closer to the surface than any dual point is beyond the rule; so is a blade that passes
 // between all dual edges.
 TEST(DualEdge, ASweepBetweenAllDualEdgesSelectsNothing) {

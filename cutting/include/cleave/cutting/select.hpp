@@ -15,9 +15,11 @@ namespace cleave::cutting {
 
 /// How facets are chosen. docs/selection.md compares the rules.
 /// dual_edge: a facet is chosen when the segment between the dual points of its two cells crosses
-/// the step an odd number of times. Then an interior ridge whose cells the rim of the step stays
-/// away from has an even number of chosen facets, and a step with its rim outside the body chooses
-/// exactly the facets between two sets of cells.
+/// the step an odd number of times. Then an interior ridge has an even number of chosen facets if
+/// the rim of the step passes through no triangle of a point of the ridge and the dual points of
+/// two neighbouring cells around it. If so it is at all interior ridges, and no hole goes through
+/// the body, the step chooses exactly the facets between two sets of cells; a ring that is crossed
+/// once opens and stays in one piece.
 /// nearest_vertex: Nienhuys & van der Stappen 2000, section 3: where an edge of a cell crosses the
 /// sweep, the end closest to the crossing is put into the cell's set, which grows from step to
 /// step; a cell whose set has exactly D vertices chooses the facet they span.
