@@ -398,6 +398,60 @@ def lemma_1():
     return drawing
 
 
+def meets(p, q, triangle):
+    """Whether the segment pq and the triangle have a point in common; a segment in its plane counts."""
+    minus = lambda a, b: [x - y for x, y in zip(a, b)]
+    det = lambda u, v, w: sum(u[i] * (v[i - 2] * w[i - 1] - v[i - 1] * w[i - 2]) for i in range(3))
+    a, b, c = triangle
+    side = lambda x: det(minus(b, a), minus(c, a), minus(x, a))
+    if side(p) * side(q) > 0:
+        return False
+    turns = [det(minus(q, p), minus(x, p), minus(y, p)) for x, y in ((a, b), (b, c), (c, a))]
+    return not min(turns) < 0 < max(turns)
+
+
+def sweep_and_cell():
+    """A sweep that enters a cell through a face and meets no edge; a plane through a vertex of a cell."""
+    points = [(0, 0, 0), (4, 0, 0), (0, 4, 0), (0, 0, 4)]
+    blade = [(1, 1, -1), (2, 1, -1), (1, 1, 1)]
+    tip = blade[2]
+    assert min(tip) > 0 and sum(tip) < 4  # inside
+    assert not any(meets(p, q, blade) for p, q in combinations(points, 2))
+    drawing = Drawing(640, 300)
+    place = lambda p: (118 + 40 * p[0] - 18 * p[1], 190 + 5 * p[0] + 14 * p[1] - 42 * p[2])
+    crossing = [towards(tip, low, 0.5) for low in blade[:2]]
+    assert all(p[2] == 0 for p in crossing)
+    drawing.polygon([place(p) for p in blade], SHUT, "none", 0, 0.75)
+    drawing.polygon([place(points[v]) for v in (1, 2, 3)], CELL, "none", 0, 0.6)
+    for i, j in combinations(range(4), 2):
+        hidden = 0 in (i, j)
+        drawing.line([place(points[i]), place(points[j])], QUIET if hidden else INK, 1.5, "4 4" if hidden else "")
+    drawing.line([place(p) for p in crossing], WRONG, 3)
+    drawing.dot(place(tip), INK, 3)
+    drawing.text((160, 290), "a sweep that meets no edge", QUIET)
+
+    heights = (0, 3, -1, -2)
+    chosen = closest(heights)
+    assert chosen == {0, 2, 3}
+    places = [(x, 140 - 34 * h) for x, h in zip((410, 480, 450, 560), heights)]
+    drawing.polygon([(344, 150), (604, 150), (620, 130), (360, 130)], "#dddddd", "#bbbbbb", 1, 0.7)
+    for i, j in combinations(range(4), 2):
+        crosses = heights[i] * heights[j] <= 0
+        drawing.line([places[i], places[j]], INK if crosses else QUIET, 1.4, "" if crosses else "3 4")
+        if heights[i] * heights[j] < 0:
+            share = Fraction(heights[i], heights[i] - heights[j])
+            at = towards(places[i], places[j], float(share))
+            k = i if abs(heights[i]) < abs(heights[j]) else j
+            drawing.arrow(at, towards(places[k], at, 0.12), DARK, 2.2)
+            drawing.dot(at, INK, 2.6)
+    for v, p in enumerate(places):
+        drawing.dot(p, WRONG if heights[v] == 0 else INK, 4.5)
+        words = str(heights[v]).replace("-", "−")
+        drawing.text((p[0] + (-14 if v in (0, 2) else 12), p[1] + (16 if heights[v] < 0 else -4)), words, size=15)
+    drawing.text((480, 290), "a plane through a vertex", QUIET)
+    return drawing
+
+
 def branching():
     """Nearest-vertex selection on a straight sweep in general position that branches."""
     inner, outer = (0, -2), [(-2, -10), (5, 3), (1, 1), (-10, 4)]
@@ -552,7 +606,7 @@ def torus():
         drawing.dot(place(*at), "#ffffff", 10)
         drawing.text((place(*at)[0], place(*at)[1] + 5), number(*at), INK, 15)
     drawing.text((260, 188), "orange: the cut, three facets from these edges to tip 7", SHUT)
-    drawing.text((260, 212), "equal numbers are one vertex; the mesh joins each triangle to tips 7 and 8", QUIET, 14)
+    drawing.text((260, 212), "equal numbers are one vertex; each triangle is joined to 7 and 8", QUIET, 14)
     return drawing
 
 
@@ -667,8 +721,8 @@ def first_step():
 
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
-    for draw in (figure_7, split_tetrahedron, glue, figure_8, strip, lemma_1, branching, equation_1, supports,
-                 hinge, torus, ring, moebius, first_step):
+    for draw in (figure_7, split_tetrahedron, glue, figure_8, strip, lemma_1, sweep_and_cell, branching,
+                 equation_1, supports, hinge, torus, ring, moebius, first_step):
         draw().write(folder, draw.__name__.replace("_", "-"), draw.__doc__)  # one line, without < and &
 
 

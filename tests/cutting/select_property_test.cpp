@@ -287,5 +287,32 @@ RC_GTEST_PROP(Lemma1Property, TheMendedLemmaSaysWhichVerticesAreClosest, ()) {
   RC_ASSERT(all_four == (farthest[0] == farthest[1] && farthest[0] >= 0));
 }
 
+// A triangle of a sweep puts in no vertex that its plane would not.
+RC_GTEST_PROP(Lemma1Property, ATrianglePutsInNoMoreThanItsPlane, ()) {
+  Rng rng = any_rng();
+  const auto any_point = [&] {
+    return Point<3>{3.0 * rng.between(-3, 3), 3.0 * rng.between(-3, 3), 3.0 * rng.between(-3, 3)};
+  };
+  const std::array<Point<3>, 4> places{any_point(), any_point(), any_point(), any_point()};
+  std::vector<std::array<Point<3>, 3>> triangle{{any_point(), any_point(), any_point()}};
+  RC_PRE(!SweptSimplex<3>(triangle[0]).is_flat());
+  // Large enough for all of the cell: grown about its centroid, in whole numbers.
+  auto plane = triangle;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double centre = (triangle[0][0][i] + triangle[0][1][i] + triangle[0][2][i]) / 3;
+    for (std::size_t c = 0; c < 3; ++c)
+      plane[0][c][i] = centre + 1024.0 * (triangle[0][c][i] - centre);
+  }
+  const topology::Cell<3> cell{{{0}, {1}, {2}, {3}}};
+  bool less = false;
+  for (const Ties ties : {Ties::both, Ties::by_id}) {
+    const auto few = nearest_vertices<3>(cell, places, triangle, ties);
+    const auto all = nearest_vertices<3>(cell, places, plane, ties);
+    for (std::size_t i = 0; i < 4; ++i) RC_ASSERT(!few[i] || all[i]);
+    less = less || few != all;
+  }
+  RC_CLASSIFY(less, "the triangle puts in less");
+}
+
 }  // namespace
 }  // namespace cleave::cutting

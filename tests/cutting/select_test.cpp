@@ -64,6 +64,31 @@ TEST(NearestVertex, AFoldSelectsFourWithoutAnyTie) {
   EXPECT_EQ(std::count(set.begin(), set.end(), true), 4);
 }
 
+// A sweep that ends in a cell may enter through a face and meet no edge. Then the set is empty, and
+// yet the sweep intersects the cell.
+TEST(NearestVertex, ASweepThatEntersThroughAFaceSelectsNothing) {
+  const std::array<Point<3>, 4> places{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}};
+  const Point<3> tip{1, 1, 1};
+  const std::vector<std::array<Point<3>, 3>> blade{{{{1, 1, -1}, {2, 1, -1}, tip}}};
+  const int inside = orient3d(places[0], places[1], places[2], places[3]);
+  for (std::size_t i = 0; i < 4; ++i) {
+    auto with_tip = places;
+    with_tip[i] = tip;
+    EXPECT_EQ(orient3d(with_tip[0], with_tip[1], with_tip[2], with_tip[3]), inside);
+  }
+  for (const Ties ties : {Ties::both, Ties::by_id})
+    EXPECT_EQ(nearest_vertices<3>({{{0}, {1}, {2}, {3}}}, places, blade, ties),
+              (std::array<bool, 4>{}));
+}
+
+// The proof of Lemma 1 knows three places of a plane: all vertices on one side of it, one parted
+// from three, or two from two. Here it leaves one above, two below, and goes through the fourth.
+TEST(NearestVertex, APlaneThroughAVertexSelectsThatVertex) {
+  for (const Ties ties : {Ties::both, Ties::by_id})
+    EXPECT_EQ(set_of(std::array{0.0, 3.0, -1.0, -2.0}, ties),
+              (std::array{true, false, true, true}));
+}
+
 TEST(NearestVertex, APlaneNearAGridPlaneSelectsThatGridPlane) {
   const Body<3> body = bodies::kuhn<3>({5, 5, 5}, 1);
   const auto cut = chosen(body, bodies::aligned_plane<3>(body, {1, 0, 0}, 2.2), kNearest);

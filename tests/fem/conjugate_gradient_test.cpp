@@ -98,6 +98,21 @@ TEST(ConjugateGradient, ReportsTheIterationLimit) {
   EXPECT_GT(result.residual, 1e-8);
 }
 
+// And two more: for the residual of the start, and to make sure of that of the end.
+TEST(ConjugateGradient, MultipliesOnceInEachIteration) {
+  support::Rng rng(8);
+  const Eigen::MatrixXd a = random_spd(50, 1e3, rng);
+  std::size_t products = 0;
+  const LinearMap counted = [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) {
+    out = a * in;
+    ++products;
+  };
+  const auto result = conjugate_gradient(counted, random_vector(50, rng));
+  EXPECT_EQ(result.outcome, Outcome::converged);
+  EXPECT_GT(result.iterations(), 20U);
+  EXPECT_EQ(products, result.iterations() + 2);
+}
+
 TEST(ConjugateGradient, StagnatesWhereRoundingStopsIt) {
   support::Rng rng(4);
   const Eigen::MatrixXd a = random_spd(60, 1e5, rng);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cleave/support/meshes.hpp"
+#include "cleave/support/reference.hpp"
 #include "cleave/topology/assemble.hpp"
 #include "cleave/topology/certify.hpp"
 #include "cleave/topology/check.hpp"
@@ -159,6 +160,32 @@ TEST(Strip, TwoEdgesOpenTogether) {
                                       {{{2}, {4}, {6}}}},
                                      7);
   expect_together<2>(k, {{{0}, {1}}}, {{{1}, {2}}}, 1, 2);
+}
+
+// Why Theorem C asks more than an even number of cut facets at every ridge: the torus with seven
+// vertices, joined to the tips 7 and 8, and three facets from a cycle that does not part the torus
+// to the tip 7.
+TEST(TheoremC, TheSuspendedTorusStaysShut) {
+  std::vector<Cell<3>> cells;
+  for (const std::uint32_t tip : {7U, 8U})
+    for (std::uint32_t i = 0; i < 7; ++i)
+      for (const std::uint32_t step : {1U, 2U})
+        cells.push_back({VertexId{i}, {(i + step) % 7}, {(i + 3) % 7}, {tip}});
+  Complex<3> k = complex_of<3>(cells, 9);
+  EXPECT_EQ(k.cell_count(), 28U);
+  const FacetSet cut = facets<3>(k, {{{{0}, {1}, {7}}}, {{{1}, {2}, {7}}}, {{{0}, {2}, {7}}}});
+  std::size_t at_tip = 0;
+  const std::vector<HalfFacetId> asked(cut.half_facets().begin(), cut.half_facets().end());
+  for (const auto& [ridge, degree] : support::ridge_degrees<3>(k.cells(), asked))
+    if (ridge.back() == VertexId{7}) {
+      EXPECT_EQ(degree, 2U);
+      ++at_tip;
+    }
+  EXPECT_EQ(at_tip, 3U);
+  const Relabelling change = unglue(k, cut, Verify::all);
+  EXPECT_TRUE(change.splits.empty());
+  EXPECT_TRUE(change.opened.empty());
+  EXPECT_EQ(change.shut.size(), 3U);
 }
 
 /// Cuts in the Kuhn cube of 7^3 vertices (0..6)^3.

@@ -1,4 +1,4 @@
-// T7, T8, T11: unglue among all ways to split vertices, in stages, and in any order.
+// T7, T8, T11, C: unglue among all ways to split vertices, in stages, in any order, at one vertex.
 #include <algorithm>
 #include <map>
 
@@ -11,6 +11,7 @@ namespace {
 CLEAVE_PROPERTIES(T7);
 CLEAVE_PROPERTIES(T8);
 CLEAVE_PROPERTIES(T11);
+CLEAVE_PROPERTIES(TheoremC);
 
 template <int D>
 using Cells = std::vector<Cell<D>>;
@@ -224,6 +225,47 @@ TYPED_TEST(T11, InACutRegularMeshTheNodesOfTheCutSuffice) {
     rng.shuffle(order);
     const auto looped = support::algorithm_3<D>(cut.before.cells(), trial.cut, order);
     RC_ASSERT(support::same_partition<D>(looped, cut.after.cells()));
+  });
+}
+
+// At one vertex the cut has the facets between two random sets of cells, elsewhere what the trial
+// has.
+TYPED_TEST(TheoremC, ACutThatPartsTheStarOpens) {
+  constexpr int D = TypeParam::value;
+  for_all<D>([](const Trial<D>& trial) {
+    const Complex<D> before = trial.complex();
+    Rng rng = trial.rng();
+    const VertexId vertex =
+        before.vertex({static_cast<std::uint32_t>(rng.below(before.half_facet_count()))});
+    const auto is_at_vertex = [&](HalfFacetId h) {
+      const Facet<D> facet = before.facet(h);
+      return std::find(facet.begin(), facet.end(), vertex) != facet.end();
+    };
+    const double share = rng.unit();
+    std::vector<bool> label(before.cell_count());
+    for (std::size_t c = 0; c < label.size(); ++c) label[c] = rng.chance(share);
+
+    std::vector<HalfFacetId> cut, at_vertex;
+    for (const HalfFacetId h : trial.cut)
+      if (!is_at_vertex(h)) cut.push_back(h);
+    for (std::uint32_t h = 0; h < before.half_facet_count(); ++h)
+      if (const auto mate = before.mate({h}); mate && HalfFacetId{h} < *mate && is_at_vertex({h}))
+        if (label[cell_of<D>({h}).value] != label[cell_of<D>(*mate).value])
+          at_vertex.push_back({h});
+    cut.insert(cut.end(), at_vertex.begin(), at_vertex.end());
+    Complex<D> after = before;
+    const Relabelling change = unglue(after, FacetSet::of(before, cut), Verify::all);
+
+    std::size_t opened = 0;
+    for (const OpenedFacet& facet : change.opened) {
+      if (!is_at_vertex(facet.half_facet)) continue;
+      ++opened;
+      const auto corners = corners_at<D>(before, facet, vertex);
+      RC_ASSERT(corners.size() == 2U);
+      RC_ASSERT(after.vertex(corners[0]) != after.vertex(corners[1]));
+    }
+    RC_ASSERT(opened == at_vertex.size());
+    for (const HalfFacetId h : at_vertex) RC_ASSERT(!after.is_interior(h));
   });
 }
 

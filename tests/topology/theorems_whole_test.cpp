@@ -74,6 +74,24 @@ TYPED_TEST(T10, TheBoundaryIsClosedBeforeAndAfter) {
   });
 }
 
+// What Algorithm 5 finds by looking up the mate of an oriented facet, found by comparing vertices.
+TYPED_TEST(T13, TheNeighbourIsTheOtherCellOfTheFacet) {
+  constexpr int D = TypeParam::value;
+  for_all<D>([](const Trial<D>& trial) {
+    const Cut<D> cut(trial);
+    for (const Complex<D>* k : {&cut.before, &cut.after})
+      for (const auto& [facet, sides] : support::facets_of<D>(k->cells())) {
+        RC_ASSERT(sides.size() <= 2U);
+        const bool interior = sides.size() == 2U;
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+          const auto mate = k->mate(sides[i]);
+          RC_ASSERT(mate.has_value() == interior);
+          if (interior) RC_ASSERT(*mate == sides[1 - i]);
+        }
+      }
+  });
+}
+
 TYPED_TEST(T13, TheFloodReachesTheWholeStarAfterEveryCut) {
   constexpr int D = TypeParam::value;
   for_all<D>([](const Trial<D>& trial) {
