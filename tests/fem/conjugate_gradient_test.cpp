@@ -98,19 +98,28 @@ TEST(ConjugateGradient, ReportsTheIterationLimit) {
   EXPECT_GT(result.residual, 1e-8);
 }
 
-// And two more: for the residual of the start, and to make sure of that of the end.
+// And one for the residual of the start, one for that of the end, and one where the tolerance seems
+// to be met, to make sure of it.
 TEST(ConjugateGradient, MultipliesOnceInEachIteration) {
   support::Rng rng(8);
   const Eigen::MatrixXd a = random_spd(50, 1e3, rng);
+  const Eigen::VectorXd b = random_vector(50, rng);
   std::size_t products = 0;
   const LinearMap counted = [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) {
     out = a * in;
     ++products;
   };
-  const auto result = conjugate_gradient(counted, random_vector(50, rng));
+  for (const std::size_t limit : {0U, 5U, 20U}) {
+    products = 0;
+    const auto cut_short =
+        conjugate_gradient(counted, b, {}, {}, {1e-8, Norm::residual, limit, {}});
+    EXPECT_EQ(cut_short.iterations(), limit);
+    EXPECT_EQ(products, limit + 2);
+  }
+  products = 0;
+  const auto result = conjugate_gradient(counted, b);
   EXPECT_EQ(result.outcome, Outcome::converged);
-  EXPECT_GT(result.iterations(), 20U);
-  EXPECT_EQ(products, result.iterations() + 2);
+  EXPECT_EQ(products, result.iterations() + 3);
 }
 
 TEST(ConjugateGradient, StagnatesWhereRoundingStopsIt) {
