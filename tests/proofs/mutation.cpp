@@ -22,10 +22,29 @@ void rename(Numbers& after, Rng& rng) {
   for (std::uint32_t& v : after) v = offset ^ (v << 16U | v >> 16U);  // a bijection
 }
 
-bool lose_split(const Numbers& before, Numbers& after, Rng& rng) {
+std::map<std::uint32_t, std::set<std::uint32_t>> copies_of(const Numbers& before,
+                                                           const Numbers& after) {
   std::map<std::uint32_t, std::set<std::uint32_t>> copies;
   for (std::size_t c = 0; c < after.size(); ++c) copies[before[c]].insert(after[c]);
-  std::vector<std::vector<std::uint32_t>> split;
+  return copies;
+}
+
+bool take_other_copy(const Numbers& before, Numbers& after, Rng& rng) {
+  auto copies = copies_of(before, after);
+  std::vector<std::size_t> corners;  // of split vertices
+  for (std::size_t c = 0; c < after.size(); ++c)
+    if (copies.at(before[c]).size() > 1) corners.push_back(c);
+  if (corners.empty()) return false;
+  const std::size_t corner = rng.pick(corners);
+  auto& names = copies.at(before[corner]);
+  names.erase(after[corner]);
+  after[corner] = rng.pick(Numbers(names.begin(), names.end()));
+  return true;
+}
+
+bool lose_split(const Numbers& before, Numbers& after, Rng& rng) {
+  const auto copies = copies_of(before, after);
+  std::vector<Numbers> split;
   for (const auto& [vertex, names] : copies)
     if (names.size() > 1) split.emplace_back(names.begin(), names.end());
   if (split.empty()) return false;
@@ -54,8 +73,8 @@ bool split_more(Numbers& after, Rng& rng) {
 
 std::string_view name(Mutation mutation) {
   constexpr std::array<std::string_view, kMutations.size()> kNames{
-      "renamed",       "wrong vertex", "lost split", "extra split", "swapped cells",
-      "permuted cell", "dropped cell", "added cell", "other cut"};
+      "renamed",       "wrong vertex",  "other copy",   "lost split", "extra split",
+      "swapped cells", "permuted cell", "dropped cell", "added cell", "other cut"};
   return kNames[static_cast<std::size_t>(mutation)];
 }
 
@@ -74,6 +93,9 @@ std::optional<Numbers> mutated(const Sample& sample, Mutation mutation, Rng& rng
       after[rng.below(after.size())] = wrong;
       return after;
     }
+    case Mutation::other_copy:
+      if (!take_other_copy(sample.certificate.before, after, rng)) return std::nullopt;
+      return after;
     case Mutation::lost_split:
       if (!lose_split(sample.certificate.before, after, rng)) return std::nullopt;
       return after;

@@ -11,6 +11,7 @@ namespace cleave::proofs {
 enum class Mutation {
   renamed,        // other numbers for all vertices
   wrong_vertex,   // one corner has a vertex of another corner
+  other_copy,     // one corner has another copy of its own vertex
   lost_split,     // two copies of a vertex made one
   extra_split,    // some corners of a vertex made another vertex
   swapped_cells,  // two cells in each other's place
@@ -21,9 +22,9 @@ enum class Mutation {
 };
 
 inline constexpr std::array kMutations{
-    Mutation::renamed,      Mutation::wrong_vertex,  Mutation::lost_split,
-    Mutation::extra_split,  Mutation::swapped_cells, Mutation::permuted_cell,
-    Mutation::dropped_cell, Mutation::added_cell,    Mutation::other_cut};
+    Mutation::renamed,     Mutation::wrong_vertex,  Mutation::other_copy,    Mutation::lost_split,
+    Mutation::extra_split, Mutation::swapped_cells, Mutation::permuted_cell, Mutation::dropped_cell,
+    Mutation::added_cell,  Mutation::other_cut};
 
 std::string_view name(Mutation mutation);
 

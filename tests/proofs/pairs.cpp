@@ -45,6 +45,7 @@ struct Tally {
 
 struct Mutant {
   Mutation mutation{};
+  int dimension = 0;
   bool same = false;
   std::string text;
 };
@@ -66,14 +67,49 @@ class Comparison {
       std::cout << "malformed: " << fault << ": " << counts.second << " of " << counts.first
                 << " by both\n";
     std::cout << wrong_ << " wrong\n";
-    const bool met = std::all_of(kMutations.begin(), kMutations.end(), [&](Mutation m) {
-      const auto found = tallies_.find(m);
-      return found != tallies_.end() && found->second.made > 0;
-    });
-    return wrong_ == 0 && met;
+    const std::vector<std::string> missing = never_met();
+    for (const std::string& what : missing) std::cout << "NEVER MET: " << what << '\n';
+    return wrong_ == 0 && missing.empty();
   }
 
  private:
+  /// What the pairs must hold, and do not: they prove less without it.
+  std::vector<std::string> never_met() const {
+    std::vector<std::string> missing;
+    const auto demand = [&](std::size_t count, const std::string& what) {
+      if (count == 0) missing.push_back(what);
+    };
+    for (const int d : {1, 2, 3, 4}) {
+      const std::string in = "D = " + std::to_string(d) + ": ";
+      const Kinds kinds = at(kinds_, d);
+      for (const auto mesh_class : support::kMeshClasses)
+        demand(at(kinds.meshes, mesh_class), in + "meshes: " + std::string(name(mesh_class)));
+      demand(kinds.empty, in + "an empty cut");
+      demand(kinds.all_opened, in + "a cut that opens all");
+      for (const Verdict& clause : kClauses) demand(at(at(clauses_, d), clause), in + clause);
+      if (d == 1) continue;  // every facet opens, and every mesh is cut-regular
+      demand(kinds.some_opened, in + "a cut that opens some");
+      demand(kinds.none_opened, in + "a cut that opens nothing");
+      demand(kinds.shut, in + "a facet that stays shut");
+      demand(kinds.not_cut_regular, in + "a mesh that is not cut-regular");
+      if (d > 2) demand(kinds.pinched, in + "a pinched simplex");
+    }
+    for (const Mutation mutation : kMutations) {
+      const Tally tally = at(tallies_, mutation);
+      demand(tally.made, "mutation: " + std::string(name(mutation)));
+      if (mutation != Mutation::renamed)
+        demand(tally.made - tally.same,
+               "a wrong result by mutation: " + std::string(name(mutation)));
+    }
+    return missing;
+  }
+
+  template <class Key, class Value>
+  static Value at(const std::map<Key, Value>& map, const Key& key) {
+    const auto found = map.find(key);
+    return found == map.end() ? Value{} : found->second;
+  }
+
   void compare(std::uint64_t from, std::uint64_t to) {
     std::vector<Sample> samples;
     std::vector<std::string> texts;
@@ -107,7 +143,7 @@ class Comparison {
     app::Certificate certificate = sample.certificate;
     const bool same = classes(*after) == classes(certificate.after);
     certificate.after = *after;
-    mutants.push_back({mutation, same, text_of(certificate)});
+    mutants.push_back({mutation, certificate.dimension, same, text_of(certificate)});
   }
 
   void judge(const Mutant& mutant, const Verdict& by_proofs) {
@@ -122,6 +158,7 @@ class Comparison {
     tally.killed_by_cpp += by_cpp != "accepted" && !mutant.same;
     tally.killed_by_proofs += by_proofs != "accepted" && !mutant.same;
     ++tally.clauses[by_proofs];
+    ++clauses_[mutant.dimension][by_proofs];
   }
 
   void compare_faults(std::uint64_t pairs) {
@@ -184,10 +221,8 @@ class Comparison {
                 << tally.made << std::setw(7) << tally.same;
       for (const std::size_t killed : {tally.killed_by_cpp, tally.killed_by_proofs})
         std::cout << std::setw(9) << rate(killed, tally.made - tally.same);
-      for (const Verdict& clause : kClauses) {
-        const auto found = tally.clauses.find(clause);
-        std::cout << std::setw(10) << (found == tally.clauses.end() ? 0 : found->second);
-      }
+      for (const Verdict& clause : kClauses)
+        std::cout << std::setw(10) << at(tally.clauses, clause);
       std::cout << '\n';
     }
     std::cout << '\n';
@@ -203,6 +238,7 @@ class Comparison {
   Rng rng_;
   std::map<int, Kinds> kinds_;
   std::map<Mutation, Tally> tallies_;
+  std::map<int, std::map<Verdict, std::size_t>> clauses_;  // that mutants met, by dimension
   std::map<std::string, std::pair<std::size_t, std::size_t>> faults_;
   std::size_t wrong_ = 0;
 };

@@ -5,7 +5,7 @@
 
 #include "conformance.hpp"
 #include "error.hpp"
-#include "sample.hpp"
+#include "mutation.hpp"
 
 namespace cleave::proofs {
 namespace {
@@ -106,13 +106,10 @@ std::string with_other_bytes(std::string text, Rng& rng) {
   return text;
 }
 
-std::string small_certificate(std::uint64_t& number, Rng& rng) {
-  for (;; ++number) {
-    Sample one = sample(number, rng);
-    if (one.certificate.cell_count() > 14) continue;
-    if (rng.chance(0.2)) one.certificate.after = one.other_after;
-    ++number;
-    return text_of(one.certificate);
+Sample small_sample(std::uint64_t& number, Rng& rng) {
+  for (;;) {
+    const Sample one = sample(number++, rng);
+    if (one.certificate.cell_count() <= 14) return one;
   }
 }
 
@@ -131,23 +128,40 @@ std::size_t lost_outputs(const Checker& checker, const std::string& text) {
   return wrong;
 }
 
+/// What a program that cuts wrongly would write.
+std::string with_mutated_result(const Sample& sample, Rng& rng) {
+  app::Certificate certificate = sample.certificate;
+  const Mutation mutation = kMutations[rng.below(kMutations.size())];
+  if (const auto after = mutated(sample, mutation, rng)) certificate.after = *after;
+  return text_of(certificate);
+}
+
+std::string nearly(const Sample& original, Rng& rng) {
+  const bool wrong = rng.chance(0.5);
+  std::string text = wrong ? with_mutated_result(original, rng) : text_of(original.certificate);
+  for (std::size_t edits = wrong ? rng.below(2) : 1 + rng.below(2); edits > 0 && !text.empty();
+       --edits) {
+    const double kind = rng.unit();
+    text = kind < 0.6   ? with_other_result(text, rng)
+           : kind < 0.9 ? with_other_words(text, rng)
+                        : with_other_bytes(text, rng);
+  }
+  return text;
+}
+
 }  // namespace
 
 bool compare_texts(const Checker& checker, std::uint64_t texts, std::uint64_t seed) {
   Rng rng(seed);
-  std::map<Verdict, std::size_t> verdicts;
+  std::map<Verdict, std::size_t> verdicts{{"accepted", 0},        {"malformed", 0},
+                                          {"rejected: cells", 0}, {"rejected: parent", 0},
+                                          {"rejected: uncut", 0}, {"rejected: connected", 0}};
   std::uint64_t number = 0;
   std::size_t wrong = 0;
-  std::string original;
+  Sample original;
   for (std::uint64_t n = 0; n < texts; ++n) {
-    if (n % 10 == 0) original = small_certificate(number, rng);
-    std::string text = original;
-    for (std::size_t edits = 1 + rng.below(2); edits > 0 && !text.empty(); --edits) {
-      const double kind = rng.unit();
-      text = kind < 0.6   ? with_other_result(text, rng)
-             : kind < 0.9 ? with_other_words(text, rng)
-                          : with_other_bytes(text, rng);
-    }
+    if (n % 10 == 0) original = small_sample(number, rng);
+    const std::string text = nearly(original, rng);
     const Verdict by_proofs = checker.judged(text), by_cpp = judged_by_cpp(text);
     ++verdicts[by_proofs];
     if (by_proofs == by_cpp) continue;
@@ -155,11 +169,15 @@ bool compare_texts(const Checker& checker, std::uint64_t texts, std::uint64_t se
       std::cout << "WRONG: C++ says " << by_cpp << ", the checker " << by_proofs << ":\n"
                 << text << '\n';
   }
-  wrong += lost_outputs(checker, original);
+  wrong += lost_outputs(checker, text_of(original.certificate));
   std::cout << texts << " texts, nearly certificates; both judges, each in a run of its own, say";
-  for (const auto& [verdict, count] : verdicts) std::cout << "\n  " << verdict << ": " << count;
+  bool all_met = true;
+  for (const auto& [verdict, count] : verdicts) {
+    std::cout << "\n  " << verdict << ": " << count << (count == 0 ? "   NEVER MET" : "");
+    all_met = all_met && count > 0;
+  }
   std::cout << '\n' << wrong << " wrong\n";
-  return wrong == 0;
+  return wrong == 0 && all_met;
 }
 
 }  // namespace cleave::proofs
