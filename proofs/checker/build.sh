@@ -5,6 +5,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 out=${1:-$here/_build}
 mkdir -p "$out"
+out=$(cd "$out" && pwd)
 cp "$here"/*.ml "$here"/*.mli "$out"
 cd "$out"
 coqc -Q "$here/.." Cleave -w -extraction -o "$out/extract.vo" "$here/../extract.v"
