@@ -63,12 +63,12 @@ void warn(const std::string& text) { print_on_stderr("cleave: warning: " + text)
 void note(const std::string& text) { print_on_stderr("cleave: " + text); }
 
 void refuse_report_onto(const std::string& report, const std::vector<std::string>& files,
-                        const std::string& option) {
+                        const std::string& option, const std::string& what) {
   if (report.empty() || report == "-") return;
   for (const std::string& file : files)
     if (!file.empty() && same_file(report, file))
       throw CLI::ValidationError(
-          option, fmt::format("the report would overwrite '{}'; give it another name", file));
+          option, fmt::format("the {} would overwrite '{}'; give it another name", what, file));
 }
 
 void write_report(const std::string& path, const std::string& text) {

@@ -63,7 +63,7 @@ void refuse_certificate(const std::string& certificate, const std::vector<std::s
                         const std::string& json) {
   if (certificate == "-" && json == "-")
     throw CLI::ValidationError("--certificate", "--json has standard output already");
-  refuse_report_onto(certificate, files, "--certificate");
+  refuse_report_onto(certificate, files, "--certificate", "certificate");
 }
 
 void write_answer(const CutAnswer& answer) {

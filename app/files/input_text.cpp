@@ -20,7 +20,7 @@ namespace {
 [[noreturn]] void cannot_read(const std::filesystem::path& path, int error_number) {
   std::string what =
       "cannot read '" + path.string() + "': " + std::generic_category().message(error_number);
-  if (error_number == EISDIR) what += "; give the name of a mesh file in it";
+  if (error_number == EISDIR) what += "; give the name of a file in it";
   if (error_number == ENOENT) what += "; check the name and the current folder";
   throw InputError(what);
 }
