@@ -56,6 +56,7 @@ From Cleave Require star_opening.
 From Cleave Require simply_connected.
 From Cleave Require torus.
 From Cleave Require hole.
+From Cleave Require split_star.
 From Cleave Require theorems.
 Locate copies.T1_card.
 Print Assumptions copies.T1_card.
@@ -425,6 +426,8 @@ Locate torus.theoremC_counterexample.
 Print Assumptions torus.theoremC_counterexample.
 Locate hole.theoremB_counterexample.
 Print Assumptions hole.theoremB_counterexample.
+Locate split_star.simply_connected_split.
+Print Assumptions split_star.simply_connected_split.
 Locate theorems.T1.
 Print Assumptions theorems.T1.
 Locate theorems.T2.
@@ -503,6 +506,8 @@ Locate rigid_motion.gradP.
 Print Assumptions rigid_motion.gradP.
 Locate rigid_motion.grad_uniq.
 Print Assumptions rigid_motion.grad_uniq.
+Locate split_star.theoremC_split.
+Print Assumptions split_star.theoremC_split.
 Locate star_opening.simply_connected_triangles.
 Print Assumptions star_opening.simply_connected_triangles.
 Locate star_opening.theoremC_boundary.
