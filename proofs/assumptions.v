@@ -35,6 +35,7 @@ From Cleave Require prepare.
 From Cleave Require denote.
 From Cleave Require valid.
 From Cleave Require certify_exec.
+From Cleave Require culprits.
 From Cleave Require unglue_exec.
 From Cleave Require regular_exec.
 From Cleave Require examples.
@@ -43,6 +44,7 @@ From Cleave Require elasticity.
 From Cleave Require equation1.
 From Cleave Require rigid_motion.
 From Cleave Require elastic_kernel.
+From Cleave Require unit_body.
 From Cleave Require supports.
 From Cleave Require stiffness_matrix.
 From Cleave Require kernel_dimension.
@@ -242,6 +244,10 @@ Locate certify_exec.certify_exec_correct.
 Print Assumptions certify_exec.certify_exec_correct.
 Locate certify_exec.certify_exec_isomorphic.
 Print Assumptions certify_exec.certify_exec_isomorphic.
+Locate culprits.prepare_blames.
+Print Assumptions culprits.prepare_blames.
+Locate culprits.certify_exec_blames.
+Print Assumptions culprits.certify_exec_blames.
 Locate unglue_exec.unglue_exec_correct.
 Print Assumptions unglue_exec.unglue_exec_correct.
 Locate unglue_exec.unglue_exec_least.
@@ -328,6 +334,10 @@ Locate elastic_kernel.T9_supported.
 Print Assumptions elastic_kernel.T9_supported.
 Locate elastic_kernel.T9_kernel_unglue.
 Print Assumptions elastic_kernel.T9_kernel_unglue.
+Locate unit_body.T9_unit_volume.
+Print Assumptions unit_body.T9_unit_volume.
+Locate unit_body.T9_unit_kernel.
+Print Assumptions unit_body.T9_unit_kernel.
 Locate supports.T9_facet_supports.
 Print Assumptions supports.T9_facet_supports.
 Locate supports.T9_axis_free.

@@ -14,9 +14,10 @@
 (*  means n nv before cut after v == what verdict v says of these lists       *)
 (*                                                                            *)
 (* Theorems: certify_exec_means (every verdict is justified, with the clause  *)
-(* and the corners it names), certify_exec_correct (Accepted exactly if       *)
-(* `after` is unglue(before, cut) up to renaming of vertices; said again with *)
-(* isomorphic in certify_exec_isomorphic).                                    *)
+(* and the corners it names; for the rows that Malformed names see            *)
+(* culprits.v), certify_exec_correct (Accepted exactly if `after` is          *)
+(* unglue(before, cut) up to renaming of vertices; said again with isomorphic *)
+(* in certify_exec_isomorphic).                                               *)
 (******************************************************************************)
 From Coq Require Import PArith FMapPositive.
 From mathcomp Require Import all_ssreflect.
@@ -224,7 +225,7 @@ by rewrite -/(cell_of after x.2) -row_vertices (nth_map (1, 1)%positive).
 Qed.
 End Corners.
 
-(* Every verdict is justified.                                                 *)
+(* Every verdict is justified; what Malformed names is in culprits.v.          *)
 Theorem certify_exec_means n nv before cut after : fits nv before ->
   means n nv before cut after (certify_exec n before cut after).
 Proof.

@@ -10,7 +10,7 @@
 (*                       materials are elastic (mu > 0 and n lambda + 2 mu > 0). *)
 (*                       R is any ordered field. The C++ computes the volumes    *)
 (*                       from the positions, here any positive numbers will do;  *)
-(*                       simplex_volume is the usual one.                        *)
+(*                       simplex_volume is the usual one, of unit_body.v say.    *)
 (*      stiffness B u v == (K u)(v), the elastic force at the vertex v           *)
 (*         energy B u == the elastic energy of the displacement u                *)
 (*         work B u w == the work of the forces K u along the displacement w     *)
