@@ -14,7 +14,7 @@
 (*                          joined by a chain of uncut facets at that vertex: *)
 (*                          clause (c), class_not_connected                   *)
 (*             certified == all three                                         *)
-(*        renames_unglue == `after` is unglue before C with its vertices       *)
+(*        renames_unglue == `after` is unglue before C with its vertices      *)
 (*                          renamed, one name for each                        *)
 (*                                                                            *)
 (* The first clause of C++, not_comparable, compares the numbers of cells; it *)

@@ -24,7 +24,7 @@
 (*        common M t u == the vertices that t and u share                     *)
 (*      adjacent M t u == t and u are different cells with a common facet. As *)
 (*                        cells have n.+1 vertices and differ, this says that *)
-(*                        they share n: adjacentP, adjacent_mates.            *)
+(*                        they share n: adjacent_mates.                       *)
 (*        glue M C x y == the corners x = (v, t) and y = (v, u) are held      *)
 (*                        together: t and u share a facet that contains v and *)
 (*                        is not in the cut C; glueP says it with mates       *)
@@ -120,14 +120,6 @@ Lemma common_facet f t u : #|f| = n -> t != u ->
 Proof.
 move=> cf tu ft fu; apply/esym/eqP; rewrite eqEcard cf card_common // andbT.
 by rewrite subsetI ft.
-Qed.
-
-Lemma adjacentP t u :
-  reflect (exists f, [/\ #|f| = n, t != u, f \subset M t & f \subset M u]) (adjacent t u).
-Proof.
-apply: (iffP idP) => [tu|[f [cf tu ft fu]]].
-  by exists (common t u); rewrite (eqP tu) adjacent_neq // subsetIl subsetIr.
-by rewrite /complex.adjacent (common_facet cf) ?cf.
 Qed.
 
 (* Half-facets and mates                                                      *)

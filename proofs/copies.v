@@ -61,7 +61,7 @@ Proof. exact: vertices_inj. Qed.
 
 (* T1: parent maps each cell back onto itself.                                *)
 Theorem T1_proj C t : parent @: unglue C t = M t.
-Proof. exact: stitch. Qed.
+Proof. exact: (p_relabelled M (copyK C)). Qed.
 
 (* T1: and no two vertices of a cell have the same parent.                    *)
 Theorem T1_bij C t : {in unglue C t &, injective parent}.

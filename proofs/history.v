@@ -82,12 +82,6 @@ Definition undo h := if done h is st :: l
 Definition redo h := if undone h is st :: l
   then History (make M (state h) st) (st :: done h) l else h.
 
-Lemma scored_perform h st : scored (state (perform h st)) = after (scored (state h)) st.
-Proof.
-rewrite /perform; case: eqP => [-> //|_]; rewrite scored_make.
-by case: st => F; apply/setP=> f; rewrite !inE; case: (f \in scored _) (f \in F) => -[].
-Qed.
-
 Inductive reached : history -> Prop :=
 | reached_beginning : reached beginning
 | reached_perform h st : reached h -> reached (perform h st)

@@ -6,7 +6,7 @@
 (*                      are objects that remain valid, and Cleave's keep      *)
 (*                      their numbers. All theorems mean this when they say:  *)
 (*                      the same up to renaming of vertices.                  *)
-(* It is an equivalence: isomorphic_refl, isomorphic_sym, isomorphic_trans.   *)
+(* It is an equivalence: isomorphic_sym, isomorphic_trans.                    *)
 (******************************************************************************)
 From mathcomp Require Import all_ssreflect.
 From Cleave Require Import complex.
@@ -19,9 +19,6 @@ Definition isomorphic n (V W T : finType) (M : complex n V T) (N : complex n W T
 
 Section Isomorphism.
 Variables (n : nat) (T : finType).
-
-Lemma isomorphic_refl (V : finType) (M : complex n V T) : isomorphic M M.
-Proof. by exists id => // t; rewrite imset_id. Qed.
 
 Lemma used_image (V W : finType) (M : complex n V T) (N : complex n W T) (f : V -> W) :
   (forall t, N t = f @: M t) -> used N = f @: used M.

@@ -168,10 +168,6 @@ rewrite (permP (permEl (perm_sort _ _))) -(size_rem vt) rem_filter ?cell_uniq //
 by rewrite size_filter.
 Qed.
 
-Lemma opposite_inj t u v : v \in cell_of t -> v \in cell_of u ->
-  opposite t v = opposite u v -> t = u.
-Proof. by move=> vt vu [e _]; have [] := corner_number_inj vt vu e. Qed.
-
 Lemma uniq_all_facets : uniq (all_facets (number cells)).
 Proof.
 apply: (@map_uniq _ _ (fun f : facet => f.1.2)).

@@ -44,6 +44,7 @@ Implicit Types (t u : T) (v : V) (w : W) (C : {set {set V}}) (x y : V * T).
 
 Definition relabelled t := [set lab (v, t) | v in M t].
 
+(* Every cell is, vertex by vertex, a copy of the old one.                    *)
 Lemma p_relabelled t : p @: relabelled t = M t.
 Proof. by rewrite -imset_comp -[RHS]imset_id; apply: eq_imset => v /=; rewrite pK. Qed.
 
@@ -73,9 +74,6 @@ Proof.
 move=> w1 w2; rewrite !mem_relabelled => /andP[_ /eqP e1] /andP[_ /eqP e2] e.
 by rewrite -e1 -e2 e.
 Qed.
-
-(* Every cell is, vertex by vertex, a copy of the old one.                    *)
-Lemma stitch t : p @: relabel t = M t. Proof. exact: p_relabelled. Qed.
 
 (* Corners and half-facets: the same ones under new names                     *)
 

@@ -12,7 +12,8 @@
 (* Main theorem: theoremC_counterexample                                      *)
 (******************************************************************************)
 From mathcomp Require Import all_ssreflect.
-From Cleave Require Import complex unglue boundary listed_complex regular_exec parity dual_edge star_opening.
+From Cleave Require Import complex unglue boundary listed_complex regular_exec.
+From Cleave Require Import parity dual_edge star_opening.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
