@@ -466,6 +466,10 @@ Locate theorems.T11.
 Print Assumptions theorems.T11.
 Locate theorems.T12.
 Print Assumptions theorems.T12.
+Locate theorems.T12_stitched.
+Print Assumptions theorems.T12_stitched.
+Locate theorems.T12_written.
+Print Assumptions theorems.T12_written.
 Locate theorems.T13.
 Print Assumptions theorems.T13.
 Locate theorems.certify.
@@ -474,6 +478,8 @@ Locate theorems.two_sides.
 Print Assumptions theorems.two_sides.
 Locate theorems.T10_signed.
 Print Assumptions theorems.T10_signed.
+Locate theorems.checker.
+Print Assumptions theorems.checker.
 Locate algorithm3.algorithm3_unglue.
 Print Assumptions algorithm3.algorithm3_unglue.
 Locate algorithm5.flood_step_glue.
@@ -502,6 +508,8 @@ Locate fem.T9_block_unglue.
 Print Assumptions fem.T9_block_unglue.
 Locate hole.annulus_not_simply_connected.
 Print Assumptions hole.annulus_not_simply_connected.
+Locate lemma1.extremes_exist.
+Print Assumptions lemma1.extremes_exist.
 Locate lemma1.lemma1_bound.
 Print Assumptions lemma1.lemma1_bound.
 Locate lemma1.lemma1_single.

@@ -53,7 +53,9 @@ From Cleave Require parity.
 From Cleave Require dual_edge.
 From Cleave Require ridge_loop.
 From Cleave Require star_opening.
+From Cleave Require simply_connected.
 From Cleave Require torus.
+From Cleave Require hole.
 From Cleave Require theorems.
 From mathcomp Require Import all_ssreflect all_algebra fingroup perm.
 Set Printing Width 100.
@@ -89,6 +91,7 @@ Check theorems.cut_is.
 Check theorems.stitch_is.
 Check theorems.stays_are.
 Check theorems.across_is.
+Check theorems.row_is.
 Check theorems.run_is.
 Check theorems.T1.
 Check theorems.T2.
@@ -110,6 +113,15 @@ Check theorems.T13.
 Check theorems.certify.
 Check theorems.two_sides.
 Check theorems.T10_signed.
+Check theorems.nats_are.
+Check theorems.fits_is.
+Check theorems.long_is.
+Check theorems.wf_is.
+Check theorems.ecomplex_is.
+Check theorems.ecut_is.
+Check theorems.is_facet_is.
+Check theorems.vertex_after_is.
+Check theorems.checker.
 Check algorithm3.T11_all.
 Check algorithm3.T11_local.
 Check algorithm3.T11_order.
@@ -168,6 +180,8 @@ Check history.T12_history.
 Check history.T12_history_redo.
 Check history.T12_history_start.
 Check history.T12_history_undo.
+Check hole.annulus_not_simply_connected.
+Check hole.theoremB_counterexample.
 Check incision.T12_alone.
 Check incision.T12_back.
 Check incision.T12_mates.
@@ -206,6 +220,9 @@ Check pieces.T9_pieces.
 Check pieces.T9_vertex.
 Check ridge_loop.loop_exists.
 Check ridge_loop.theoremB_loop_exists.
+Check simply_connected.theoremB_even_simply_connected.
+Check simply_connected.theoremB_rim_simply_connected.
+Check simply_connected.theoremB_simply_connected.
 Check splits.T5_converse.
 Check splits.T5_empty_cut.
 Check splits.T5_idempotent.
@@ -221,6 +238,7 @@ Check stages.T8_mono.
 Check stages.T8_remembered.
 Check stages.T8_sequential.
 Check stages.T8_staged.
+Check star_opening.simply_connected_triangles.
 Check star_opening.theoremC.
 Check star_opening.theoremC_boundary.
 Check star_opening.theoremC_even.
