@@ -57,6 +57,9 @@ From Cleave Require simply_connected.
 From Cleave Require torus.
 From Cleave Require hole.
 From Cleave Require theorems.
+From Cleave Require split_star.
+From Cleave Require culprits.
+From Cleave Require unit_body.
 From mathcomp Require Import all_ssreflect all_algebra fingroup perm.
 Set Printing Width 100.
 Check theorems.cells_have_vertices.
@@ -258,3 +261,7 @@ Check universal.T7_shut.
 Check universal.T7_unique.
 Check universal.T7_universal.
 Check valid.prepare_complete.
+Check culprits.certify_exec_blames.
+Check split_star.simply_connected_split.
+Check split_star.theoremC_split.
+Check unit_body.T9_unit_kernel.
