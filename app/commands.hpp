@@ -49,8 +49,7 @@ void note(const std::string& text);
 /// Throws CLI::ValidationError if `report`, where `option` of a command is to write `what`, is one
 /// of `files`, which the command reads or writes. Empty names and "-" are no files.
 void refuse_report_onto(const std::string& report, const std::vector<std::string>& files,
-                        const std::string& option = "--json",
-                        const std::string& what = "report");
+                        const std::string& option = "--json", const std::string& what = "report");
 
 /// Writes `text` to the file at `path`, completely or not at all; "-" is standard output. Throws
 /// OutputError.
