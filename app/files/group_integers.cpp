@@ -33,6 +33,18 @@ std::int32_t integer_in(const json& object, const char* key, const std::string& 
   return integer_of(*value, key, place);
 }
 
+/// The number of a group.
+std::int32_t tag_of(const json& value, const char* key, const std::string& place) {
+  const std::int32_t tag = integer_of(value, key, place);
+  if (tag == 0) throw InputError(place + ": '" + key + "' must not be 0, which means no group");
+  return tag;
+}
+
+std::int32_t tag_in(const json& object, const std::string& place) {
+  if (!object.contains("tag")) throw InputError(place + ": needs the integer 'tag'");
+  return tag_of(object["tag"], "tag", place);
+}
+
 int dimension_in(const json& object, const std::string& place) {
   const std::int32_t dimension = integer_in(object, "dimension", place);
   if (dimension < 0 || dimension > 3)
@@ -89,7 +101,7 @@ void apply_overlap(Groups& groups, const json& overlap, const std::string& place
   const auto elements = std::move(found->second.elements);
   groups.erase(found);
   for (const json& tag : list_in(overlap, "groups", place)) {
-    auto& all = group_of(groups, dimension, integer_of(tag, "groups", place)).elements;
+    auto& all = group_of(groups, dimension, tag_of(tag, "groups", place)).elements;
     all.insert(all.end(), elements.begin(), elements.end());
   }
 }
@@ -195,7 +207,7 @@ void apply_group_names(Mesh& mesh, const std::filesystem::path& path) {
   for (std::size_t i = 0; i < named.size(); ++i) {
     const std::string place = place_of("groups", i);
     const int dimension = dimension_in(named[i], place);
-    const std::int32_t tag = integer_in(named[i], "tag", place);
+    const std::int32_t tag = tag_in(named[i], place);
     const std::string name = name_in(named[i], place);
     const auto [known, is_new] = known_groups.try_emplace({dimension, tag}, name);
     if (!is_new)
@@ -209,7 +221,7 @@ void apply_group_names(Mesh& mesh, const std::filesystem::path& path) {
     std::map<std::string, std::string> names;
     for (std::size_t i = 0; i < cohesive.size(); ++i) {
       const std::string place = place_of("cohesive", i);
-      const std::string tag = std::to_string(integer_in(cohesive[i], "tag", place));
+      const std::string tag = std::to_string(tag_in(cohesive[i], place));
       const auto [known, is_new] = names.try_emplace(tag, name_in(cohesive[i], place));
       if (!is_new)
         throw InputError(place + ": tag " + tag + " is there already, '" + known->second +

@@ -215,6 +215,9 @@ TEST_F(RoundTrip, AWrongFileOfNamesIsRefused) {
   refuse(R"({"format": "cleave-groups/1", "overlaps": [], "groups": [],
              "cohesive": [{"tag": 4, "name": "a"}, {"tag": 4, "name": "b"}]})",
          {"cohesive[1]: tag 4 is there already, 'a'"});
+  refuse(R"({"format": "cleave-groups/1", "overlaps": [],
+             "groups": [{"dimension": 1, "tag": 0, "name": "a"}]})",
+         {"groups[0]", "must not be 0, which means no group"});
   put("a.mesh.groups.json", good);
   expect_same_content(read_mesh(path("a.mesh")), grouped_mesh());
 }

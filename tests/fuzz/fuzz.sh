@@ -2,6 +2,7 @@
 # fuzz.sh BUILD SECONDS [TARGET..]: fuzzes each target (all, if none is named) for so long, one per
 # processor at a time. Reads tests/fuzz/corpus, collects more inputs under BUILD/fuzz/TARGET, leaves
 # what it finds in BUILD/fuzz/TARGET.found and each log beside it. Exit 1 if anything is found.
+# CLEAVE_FUZZ_SEED is what the inputs are made from; without it each run makes others.
 set -euo pipefail
 here=$(dirname "$(realpath "${BASH_SOURCE[0]}")")
 build=$(realpath "$1") seconds=$2
@@ -18,7 +19,7 @@ one() {
   # A leak, an input that takes a minute or 2 GB, and whatever a sanitizer says are findings, too.
   if CLEAVE_FUZZ_TARGET=$target TMPDIR=$TMPDIR/$target \
     LSAN_OPTIONS=suppressions=$here/../support/vtk_leaks.supp:print_suppressions=0 "$build/tests/fuzz/fuzz" \
-    -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -malloc_limit_mb=512 -max_len=8192 \
+    -seed="${CLEAVE_FUZZ_SEED:-0}" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -malloc_limit_mb=512 -max_len=8192 \
     -dict="$dict" -artifact_prefix="$found/" -print_final_stats=1 \
     "$work" "$here/corpus/$target" >"$log" 2>&1; then
     printf '%-12s %s\n' "$target" "$(awk '/number_of_executed_units/ { n = $2 }
