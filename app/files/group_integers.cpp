@@ -21,8 +21,8 @@ constexpr const char* kFormat = "cleave-groups/1";
 std::int32_t integer_of(const json& value, const char* key, const std::string& place) {
   if (!value.is_number_integer())
     throw InputError(place + ": '" + key + "' must be an integer or list integers");
-  const auto wide = value.get<std::int64_t>();
-  if (wide < INT32_MIN || wide > INT32_MAX)
+  const auto wide = value.get<std::int64_t>();  // negative if it has 64 bits without a sign
+  if (wide < INT32_MIN || wide > INT32_MAX || (value.is_number_unsigned() && wide < 0))
     throw InputError(place + ": '" + key + "' has more than 32 bits");
   return static_cast<std::int32_t>(wide);
 }
@@ -75,6 +75,10 @@ json parse(const std::filesystem::path& path) {
     text.fail(
         text.begin() + std::min(error.byte, text.bytes().size()),
         "this is not JSON; correct it, or remove it to read the mesh without names of groups");
+  } catch (const json::out_of_range&) {
+    throw InputError(path.string() +
+                     ": has a number that is too large; correct it, or remove the "
+                     "file to read the mesh without names of groups");
   }
   const auto format = document.is_object() ? document.find("format") : document.end();
   if (!document.is_object() || format == document.end() || *format != kFormat)

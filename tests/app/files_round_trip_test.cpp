@@ -218,6 +218,11 @@ TEST_F(RoundTrip, AWrongFileOfNamesIsRefused) {
   refuse(R"({"format": "cleave-groups/1", "overlaps": [],
              "groups": [{"dimension": 1, "tag": 0, "name": "a"}]})",
          {"groups[0]", "must not be 0, which means no group"});
+  refuse(R"({"format": "cleave-groups/1", "overlaps": [],
+             "groups": [{"dimension": 1, "tag": 18446744073709551615, "name": "a"}]})",
+         {"groups[0]", "32 bits"});
+  refuse(R"({"format": "cleave-groups/1", "overlaps": [], "groups": [1e400]})",
+         {"number that is too large"});
   put("a.mesh.groups.json", good);
   expect_same_content(read_mesh(path("a.mesh")), grouped_mesh());
 }
