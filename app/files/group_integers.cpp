@@ -33,16 +33,14 @@ std::int32_t integer_in(const json& object, const char* key, const std::string& 
   return integer_of(*value, key, place);
 }
 
-/// The number of a group.
-std::int32_t tag_of(const json& value, const char* key, const std::string& place) {
-  const std::int32_t tag = integer_of(value, key, place);
-  if (tag == 0) throw InputError(place + ": '" + key + "' must not be 0, which means no group");
-  return tag;
+/// The integer as the number of a group.
+std::int32_t tag_of(std::int32_t integer, const char* key, const std::string& place) {
+  if (integer == 0) throw InputError(place + ": '" + key + "' must not be 0, which means no group");
+  return integer;
 }
 
 std::int32_t tag_in(const json& object, const std::string& place) {
-  if (!object.contains("tag")) throw InputError(place + ": needs the integer 'tag'");
-  return tag_of(object["tag"], "tag", place);
+  return tag_of(integer_in(object, "tag", place), "tag", place);
 }
 
 int dimension_in(const json& object, const std::string& place) {
@@ -105,7 +103,9 @@ void apply_overlap(Groups& groups, const json& overlap, const std::string& place
   const auto elements = std::move(found->second.elements);
   groups.erase(found);
   for (const json& tag : list_in(overlap, "groups", place)) {
-    auto& all = group_of(groups, dimension, tag_of(tag, "groups", place)).elements;
+    auto& all =
+        group_of(groups, dimension, tag_of(integer_of(tag, "groups", place), "groups", place))
+            .elements;
     all.insert(all.end(), elements.begin(), elements.end());
   }
 }
