@@ -28,7 +28,7 @@ bool coherent(const CellSoup<D>& soup, const std::vector<HalfFacetId>& mates) {
   const auto sign = [&](HalfFacetId h) {
     return soup.signs.empty() ? 1 : soup.signs[cell_of<D>(h).value];
   };
-  for (std::uint32_t h = 0; h < mates.size(); ++h) {
+  for (Index h = 0; h < mates.size(); ++h) {
     const HalfFacetId mate = mates[h];
     if (mate.value == detail::kNone || mate.value < h) continue;
     const bool as_written = detail::opposite_as_written<D>(soup.cells, HalfFacetId{h}, mate);
@@ -49,7 +49,7 @@ std::vector<Split> split_parts(std::vector<Cell<D>>& cells, const std::vector<Ha
   std::vector<Split> splits;
   std::vector<CornerId> part;
   for (const detail::VertexPart& s : surplus) {
-    const VertexId copy{static_cast<std::uint32_t>(a_corner.size())};
+    const VertexId copy{static_cast<Index>(a_corner.size())};
     a_corner.push_back(s.least);
     splits.push_back({copy, s.vertex});
     part.clear();

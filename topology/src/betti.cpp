@@ -28,25 +28,25 @@ class Budget {
   std::uint64_t left_;
 };
 
-using Column = std::vector<std::uint32_t>;  // the rows that are 1, ascending
+using Column = std::vector<Index>;  // the rows that are 1, ascending
 
 /// Follows the boundaries of critical k-simplices down the gradient of dimension k, to the
 /// (k-1)-simplices that are critical in their own dimension.
 class Flow {
  public:
-  Flow(const std::vector<std::uint32_t>& faces, std::size_t per_simplex,
-       const detail::Gradient& gradient, const std::vector<std::uint32_t>& critical_below)
+  Flow(const std::vector<Index>& faces, std::size_t per_simplex, const detail::Gradient& gradient,
+       const std::vector<Index>& critical_below)
       : faces_(faces),
         per_simplex_(per_simplex),
         gradient_(gradient),
         row_(gradient.when.size(), detail::kNone),
         odd_(gradient.when.size(), false) {
-    for (std::uint32_t i = 0; i < critical_below.size(); ++i) row_[critical_below[i]] = i;
+    for (Index i = 0; i < critical_below.size(); ++i) row_[critical_below[i]] = i;
   }
 
   /// The boundary of critical simplex `s` in the complex of critical simplices; nothing if the
   /// budget does not suffice.
-  std::optional<Column> boundary(std::uint32_t s, Budget& budget) {
+  std::optional<Column> boundary(Index s, Budget& budget) {
     Column column;
     add_faces(s, column);
     while (!waiting_.empty()) {
@@ -68,10 +68,10 @@ class Flow {
   }
 
  private:
-  void add_faces(std::uint32_t s, Column& column) {
+  void add_faces(Index s, Column& column) {
     for (std::size_t i = 0; i < per_simplex_; ++i) {
-      const std::uint32_t face = faces_[s * per_simplex_ + i];
-      const std::uint32_t when = gradient_.when[face];
+      const Index face = faces_[s * per_simplex_ + i];
+      const Index when = gradient_.when[face];
       if (when != detail::kNone) {
         odd_[face] = !odd_[face];
         if (odd_[face]) waiting_.push(when);
@@ -81,14 +81,13 @@ class Flow {
     }
   }
 
-  const std::vector<std::uint32_t>& faces_;
+  const std::vector<Index>& faces_;
   std::size_t per_simplex_;
   const detail::Gradient& gradient_;
-  std::vector<std::uint32_t>
-      row_;                // per (k-1)-simplex: its place among the critical ones, or kNone
-  std::vector<bool> odd_;  // per (k-1)-simplex: met an odd number of times
+  std::vector<Index> row_;  // per (k-1)-simplex: its place among the critical ones, or kNone
+  std::vector<bool> odd_;   // per (k-1)-simplex: met an odd number of times
   // Places in the order of collapses: a collapse only leads to later ones.
-  std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> waiting_;
+  std::priority_queue<Index, std::vector<Index>, std::greater<>> waiting_;
 };
 
 /// The columns of a matrix over Z/2, reduced as they come. rank() columns are independent.
@@ -115,17 +114,16 @@ class Reduction {
   std::size_t rank() const { return by_last_row_.size(); }
 
  private:
-  std::unordered_map<std::uint32_t, Column> by_last_row_;
+  std::unordered_map<Index, Column> by_last_row_;
 };
 
 /// The rank of the boundary from critical k-simplices to critical (k-1)-simplices.
-std::optional<std::size_t> rank_of(const std::vector<std::uint32_t>& faces, std::size_t per_simplex,
+std::optional<std::size_t> rank_of(const std::vector<Index>& faces, std::size_t per_simplex,
                                    const detail::Gradient& gradient,
-                                   const std::vector<std::uint32_t>& critical_below,
-                                   Budget& budget) {
+                                   const std::vector<Index>& critical_below, Budget& budget) {
   Flow flow(faces, per_simplex, gradient, critical_below);
   Reduction reduction;
-  for (const std::uint32_t s : gradient.critical) {
+  for (const Index s : gradient.critical) {
     if (reduction.rank() == critical_below.size()) break;  // it cannot grow
     const auto column = flow.boundary(s, budget);
     if (!column || !reduction.add(*column, budget)) return std::nullopt;
@@ -158,7 +156,7 @@ std::optional<std::array<std::size_t, static_cast<std::size_t>(D) + 1>> betti_nu
     gone.assign(all->counts[k - 1], false);
     for (const detail::Collapse& collapse : gradients[k].collapses) gone[collapse.face] = true;
   }
-  for (std::uint32_t v = 0; v < gone.size(); ++v)
+  for (Index v = 0; v < gone.size(); ++v)
     if (!gone[v]) gradients[0].critical.push_back(v);
 
   Budget budget(limits.steps);

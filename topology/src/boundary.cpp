@@ -7,7 +7,7 @@ namespace cleave::topology {
 template <int D>
 std::vector<HalfFacetId> boundary(const Complex<D>& k) {
   std::vector<HalfFacetId> free;
-  for (std::uint32_t h = 0; h < k.half_facet_count(); ++h)
+  for (Index h = 0; h < k.half_facet_count(); ++h)
     if (!k.is_interior({h})) free.push_back({h});
   return free;
 }
@@ -26,9 +26,9 @@ BoundaryVertices vertices_of(const Complex<D>& k, const std::vector<HalfFacetId>
   for (const HalfFacetId h : half_facets)
     for (const VertexId vertex : k.facet(h)) used[vertex.value] = true;
   BoundaryVertices found{{}, std::vector<VertexId>(k.vertex_count())};
-  for (std::uint32_t vertex = 0; vertex < used.size(); ++vertex) {
+  for (Index vertex = 0; vertex < used.size(); ++vertex) {
     if (!used[vertex]) continue;
-    found.number_of[vertex] = {static_cast<std::uint32_t>(found.ascending.size())};
+    found.number_of[vertex] = {static_cast<Index>(found.ascending.size())};
     found.ascending.push_back({vertex});
   }
   return found;

@@ -25,7 +25,7 @@ template <int D>
 std::vector<std::pair<VertexId, CornerId>> corners_by_vertex(std::span<const Cell<D>> cells) {
   std::vector<std::pair<VertexId, CornerId>> by_vertex;
   by_vertex.reserve(cells.size() * (D + 1));
-  for (std::uint32_t c = 0; c < cells.size() * (D + 1); ++c)
+  for (Index c = 0; c < cells.size() * (D + 1); ++c)
     by_vertex.emplace_back(at<D>(cells, CornerId{c}), CornerId{c});
   std::sort(by_vertex.begin(), by_vertex.end());
   return by_vertex;
@@ -56,7 +56,7 @@ std::vector<MatePair> mates_by_sorting(std::span<const Cell<D>> cells) {
   };
   std::vector<Entry> entries;
   entries.reserve(cells.size() * (D + 1));
-  for (std::uint32_t c = 0; c < cells.size(); ++c)
+  for (Index c = 0; c < cells.size(); ++c)
     for (int opposite = 0; opposite <= D; ++opposite) {
       Entry entry{{}, half_facet<D>(CellId{c}, opposite)};
       auto to = entry.facet.begin();
@@ -142,9 +142,9 @@ std::optional<Rejection> certify(std::span<const Cell<D>> before, std::span<cons
 
   // The classes of corners that chains of uncut facets connect are what the last clause is about.
   const std::vector<MatePair> mates = uncut_mates<D>(before, cut);
-  std::vector<std::uint32_t> rank(by_vertex.size(), 0), parent(by_vertex.size());
-  boost::disjoint_sets<std::uint32_t*, std::uint32_t*> classes(rank.data(), parent.data());
-  for (std::uint32_t c = 0; c < by_vertex.size(); ++c) classes.make_set(c);
+  std::vector<Index> rank(by_vertex.size(), 0), parent(by_vertex.size());
+  boost::disjoint_sets<Index*, Index*> classes(rank.data(), parent.data());
+  for (Index c = 0; c < by_vertex.size(); ++c) classes.make_set(c);
   for (const MatePair& pair : mates)
     for_shared_vertices<D>(before, pair, [&](CornerId one, CornerId other) {
       classes.union_set(one.value, other.value);

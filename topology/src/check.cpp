@@ -19,7 +19,7 @@ void find_orientation_faults(const CellView<D>& soup, const std::vector<HalfFace
                              std::vector<Violation>& found) {
   const detail::Orientation orientation = detail::orientation<D>(soup.cells, mates);
   const auto sign = [&](CellId c) { return soup.signs.empty() ? 1 : soup.signs[c.value]; };
-  for (std::uint32_t h = 0; h < mates.size(); ++h) {
+  for (Index h = 0; h < mates.size(); ++h) {
     const HalfFacetId mate = mates[h];
     if (mate.value == detail::kNone || mate.value < h) continue;
     const CellId cell = cell_of<D>(HalfFacetId{h});
@@ -63,7 +63,7 @@ void find_orphans(const CellView<D>& soup, std::vector<Violation>& found) {
   for (const Cell<D>& cell : soup.cells)
     for (const VertexId v : cell)
       if (v.value < soup.vertex_count) used[v.value] = true;
-  for (std::uint32_t v = 0; v < soup.vertex_count; ++v)
+  for (Index v = 0; v < soup.vertex_count; ++v)
     if (!used[v]) found.push_back(OrphanVertex{VertexId{v}});
 }
 

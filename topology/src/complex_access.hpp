@@ -8,7 +8,7 @@
 
 namespace cleave::topology::detail {
 
-inline constexpr std::uint32_t kNone = UINT32_MAX;  // "no mate", "no corner"
+inline constexpr Index kNone = kNoIndex;  // "no mate", "no corner"
 
 /// The one door to the inside of a Complex, for what builds or changes it.
 template <int D>

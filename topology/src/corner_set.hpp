@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cleave/topology/ids.hpp"
+#include "hash_bits.hpp"
 
 namespace cleave::topology::detail {
 
@@ -37,19 +38,19 @@ class CornerSet {
  private:
   static constexpr int kLeastBits = 6;
   static constexpr std::size_t kLeast = std::size_t{1} << kLeastBits;  // holds most stars
-  static constexpr std::uint32_t kFree = UINT32_MAX;
+  static constexpr Index kFree = kNoIndex;
 
   struct Slot {
-    std::uint32_t block = kFree;
+    Index block = kFree;
     std::uint32_t corners = 0;  // a bit for each corner of the block
   };
 
-  static std::uint32_t block(CornerId corner) { return corner.value / 32; }
+  static Index block(CornerId corner) { return corner.value / 32; }
   static std::uint32_t bit(CornerId corner) { return 1u << corner.value % 32; }
 
   /// Where `block` is, or the free slot where it belongs.
-  std::size_t slot_of(std::uint32_t block) const {
-    std::size_t slot = block * 2654435769u >> (32 - bits_);  // 2^32 over the golden ratio
+  std::size_t slot_of(Index block) const {
+    std::size_t slot = hash_bits(block, bits_);
     while (slots_[slot].block != block && slots_[slot].block != kFree)
       slot = (slot + 1) & (slots_.size() - 1);
     return slot;

@@ -13,7 +13,7 @@ class DisjointSets {
   explicit DisjointSets(std::size_t size) : parent_(size), count_(size) {
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
-  void join(std::uint32_t a, std::uint32_t b) {
+  void join(Index a, Index b) {
     a = find(a);
     b = find(b);
     if (a == b) return;
@@ -23,12 +23,12 @@ class DisjointSets {
   std::size_t count() const { return count_; }
 
  private:
-  std::uint32_t find(std::uint32_t a) {
+  Index find(Index a) {
     while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
     return a;
   }
 
-  std::vector<std::uint32_t> parent_;
+  std::vector<Index> parent_;
   std::size_t count_;
 };
 

@@ -43,7 +43,7 @@ std::array<VertexId, static_cast<std::size_t>(D) - 1> facet_key(std::span<const 
 /// Calls visit(h, the least vertex of h) for all half-facets, ascending.
 template <int D, class Visit>
 void for_each_least_vertex(std::span<const Cell<D>> cells, Visit visit) {
-  std::uint32_t h = 0;
+  Index h = 0;
   for (const Cell<D>& cell : cells) {
     VertexId least = std::min(cell[0], cell[1]), second = std::max(cell[0], cell[1]);
     for (std::size_t i = 2; i < cell.size(); ++i) {
@@ -60,8 +60,8 @@ void for_each_least_vertex(std::span<const Cell<D>> cells, Visit visit) {
 /// 4 bytes per half-facet and per vertex.
 template <int D>
 FacetMatching match_facets(std::span<const Cell<D>> cells, std::size_t vertex_count) {
-  const auto half_facets = static_cast<std::uint32_t>(cells.size() * (D + 1));
-  std::vector<std::uint32_t> bucket_end(vertex_count + 1, 0);  // start until filled, then end
+  const auto half_facets = static_cast<Index>(cells.size() * (D + 1));
+  std::vector<Index> bucket_end(vertex_count + 1, 0);  // start until filled, then end
   for_each_least_vertex<D>(cells, [&](HalfFacetId, VertexId v) { ++bucket_end[v.value + 1]; });
   for (std::size_t v = 0; v < vertex_count; ++v) bucket_end[v + 1] += bucket_end[v];
   std::vector<HalfFacetId> sorted(half_facets);

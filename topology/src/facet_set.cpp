@@ -29,7 +29,7 @@ FacetSet FacetSet::of(const Complex<D>& k, std::span<const HalfFacetId> half_fac
 template <int D>
 FacetSet FacetSet::all(const Complex<D>& k) {
   FacetSet result;
-  for (std::uint32_t h = 0; h < k.half_facet_count(); ++h) {
+  for (Index h = 0; h < k.half_facet_count(); ++h) {
     const auto mate = k.mate(HalfFacetId{h});
     if (mate && h < mate->value) result.facets_.push_back(HalfFacetId{h});
   }

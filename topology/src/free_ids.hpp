@@ -22,7 +22,7 @@ inline void set_free(std::vector<VertexId>& heap, VertexId id) {
 /// Hands out new ids, ascending: first the least free ones, then those from the bound on.
 class NewIds {
  public:
-  NewIds(std::vector<VertexId>& heap, std::uint32_t bound) : heap_(heap), bound_(bound) {}
+  NewIds(std::vector<VertexId>& heap, Index bound) : heap_(heap), bound_(bound) {}
 
   void make_room(std::size_t ids) { reused_.reserve(std::min(ids, heap_.size())); }
 
@@ -37,7 +37,7 @@ class NewIds {
   }
 
   /// All ids are below this number.
-  std::uint32_t bound() const { return bound_; }
+  Index bound() const { return bound_; }
   const std::vector<VertexId>& reused() const { return reused_; }
 
   void give_back() noexcept {
@@ -47,7 +47,7 @@ class NewIds {
 
  private:
   std::vector<VertexId>& heap_;
-  std::uint32_t bound_;
+  Index bound_;
   std::vector<VertexId> reused_;
 };
 

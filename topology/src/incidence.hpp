@@ -17,7 +17,7 @@ namespace cleave::topology::detail {
 /// dimension k-1.
 struct Incidence {
   std::vector<std::size_t> counts;
-  std::vector<std::vector<std::uint32_t>> faces;  // faces[0] is empty
+  std::vector<std::vector<Index>> faces;  // faces[0] is empty
 };
 
 /// All different k-simplices of `cells` (each ascending), sorted.
@@ -34,20 +34,20 @@ std::vector<std::array<VertexId, K + 1>> distinct_simplices(std::span<const Cell
 
 /// For each k-simplex its faces, as places in `lower`, the sorted list of all (k-1)-simplices.
 template <int K>
-std::vector<std::uint32_t> faces_of(const std::vector<std::array<VertexId, K + 1>>& simplices,
-                                    const std::vector<std::array<VertexId, K>>& lower) {
-  std::vector<std::pair<std::array<VertexId, K>, std::uint32_t>> all;
+std::vector<Index> faces_of(const std::vector<std::array<VertexId, K + 1>>& simplices,
+                            const std::vector<std::array<VertexId, K>>& lower) {
+  std::vector<std::pair<std::array<VertexId, K>, Index>> all;
   all.reserve(simplices.size() * (K + 1));
-  for (std::uint32_t s = 0; s < simplices.size(); ++s)
+  for (Index s = 0; s < simplices.size(); ++s)
     for (std::size_t left_out = 0; left_out <= K; ++left_out) {
       std::array<VertexId, K> face{};
       for (std::size_t i = 0; i < K; ++i) face[i] = simplices[s][i < left_out ? i : i + 1];
       all.emplace_back(face, s);
     }
   std::sort(all.begin(), all.end());
-  std::vector<std::uint32_t> faces(all.size());
+  std::vector<Index> faces(all.size());
   std::vector<std::uint8_t> filled(simplices.size(), 0);
-  std::uint32_t place = 0;
+  Index place = 0;
   for (const auto& [face, s] : all) {
     while (lower[place] != face) ++place;
     faces[std::size_t{s} * (K + 1) + filled[s]++] = place;

@@ -172,8 +172,8 @@ std::vector<VertexId> canonical(const Incision<D>& incision) {
     VertexId vertex;
   };
   std::vector<Copy> copies;
-  const auto originals = static_cast<std::uint32_t>(incision.original_vertex_count());
-  for (std::uint32_t v = originals; v < k.vertex_count(); ++v) {
+  const auto originals = static_cast<Index>(incision.original_vertex_count());
+  for (Index v = originals; v < k.vertex_count(); ++v) {
     const std::vector<CornerId> around = star(k, VertexId{v});
     if (around.empty()) continue;
     copies.push_back({incision.original(VertexId{v}),
@@ -183,8 +183,8 @@ std::vector<VertexId> canonical(const Incision<D>& incision) {
     return a.original != b.original ? a.original < b.original : a.least < b.least;
   });
   std::vector<VertexId> number(k.vertex_count(), VertexId{detail::kNone});
-  for (std::uint32_t v = 0; v < originals; ++v) number[v] = VertexId{v};
-  std::uint32_t next = originals;
+  for (Index v = 0; v < originals; ++v) number[v] = VertexId{v};
+  Index next = originals;
   for (const Copy& copy : copies) number[copy.vertex.value] = VertexId{next++};
   return number;
 }

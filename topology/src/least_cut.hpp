@@ -45,7 +45,7 @@ class LeastCut {
   }
 
  private:
-  static constexpr HalfFacetId kStart{UINT32_MAX};
+  static constexpr HalfFacetId kStart{kNoIndex};
 
   /// Breadth first over facets that let one more unit through; returns the first of `ends` reached.
   template <class Barred>

@@ -59,7 +59,7 @@ std::vector<std::optional<HalfFacetId>> locate_facets(std::span<const Cell<D>> c
     for (const VertexId vertex : facet) sieve.insert(vertex);
   }
 
-  for (std::uint32_t c = 0; c < cells.size(); ++c) {
+  for (Index c = 0; c < cells.size(); ++c) {
     std::array<bool, D + 1> known{};
     int unknown = 0;
     for (std::size_t i = 0; i <= D; ++i) {

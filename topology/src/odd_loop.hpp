@@ -26,27 +26,27 @@ class OddLoops {
   /// per side of a cell it visits; stops when there are none left.
   void shorten(CellId start, NonOrientable& best, std::size_t& steps) {
     ++round_;
-    const std::uint32_t from = 2 * start.value;
+    const Index from = 2 * start.value;
     queue_.assign(1, from);
     seen_[from] = round_;
     depth_[from] = 0;
-    std::uint32_t meeting = kNone;  // a side of the cell where the two halves of a loop meet
+    Index meeting = kNone;  // a side of the cell where the two halves of a loop meet
     std::size_t length = best.loop.size();
     for (std::size_t next = 0; next < queue_.size() && steps > 0; ++next, --steps) {
-      const std::uint32_t side = queue_[next];
+      const Index side = queue_[next];
       if (2 * std::size_t{depth_[side]} + 1 >= length) break;  // the halves differ by one at most
       for (int i = 0; i <= D; ++i) {
         const HalfFacetId h = half_facet<D>(CellId{side / 2}, i);
         const HalfFacetId mate = mates_[h.value];
         if (mate.value == kNone) continue;
         const bool agree = opposite_as_written<D>(cells_, h, mate);
-        const std::uint32_t across = 2 * cell_of<D>(mate).value + (side % 2 ^ (agree ? 0u : 1u));
+        const Index across = 2 * cell_of<D>(mate).value + (side % 2 ^ (agree ? 0u : 1u));
         if (seen_[across] == round_) continue;
         seen_[across] = round_;
         depth_[across] = depth_[side] + 1;
         entered_by_[across] = h;
         queue_.push_back(across);
-        const std::uint32_t other = across ^ 1u;
+        const Index other = across ^ 1u;
         if (seen_[other] != round_ || depth_[across] + std::size_t{depth_[other]} >= length)
           continue;
         length = depth_[across] + std::size_t{depth_[other]};
@@ -58,7 +58,7 @@ class OddLoops {
 
  private:
   /// The half-facets passed on the way from the start to this side of a cell.
-  std::vector<HalfFacetId> path_to(std::uint32_t side) const {
+  std::vector<HalfFacetId> path_to(Index side) const {
     std::vector<HalfFacetId> path;
     while (depth_[side] > 0) {
       const HalfFacetId h = entered_by_[side];
@@ -70,7 +70,7 @@ class OddLoops {
     return path;
   }
 
-  std::vector<HalfFacetId> loop_through(std::uint32_t meeting) const {
+  std::vector<HalfFacetId> loop_through(Index meeting) const {
     std::vector<HalfFacetId> loop = path_to(meeting);
     const std::vector<HalfFacetId> other = path_to(meeting ^ 1u);
     for (auto h = other.rbegin(); h != other.rend(); ++h) loop.push_back(mates_[h->value]);
@@ -79,10 +79,10 @@ class OddLoops {
 
   std::span<const Cell<D>> cells_;
   const std::vector<HalfFacetId>& mates_;
-  std::vector<std::uint32_t> seen_, depth_;  // per side: the last round that met it, and how far
+  std::vector<Index> seen_, depth_;      // per side: the last round that met it, and how far
   std::vector<HalfFacetId> entered_by_;  // per side: through which half-facet, of the cell before
-  std::vector<std::uint32_t> queue_;
-  std::uint32_t round_ = 0;
+  std::vector<Index> queue_;
+  Index round_ = 0;
 };
 
 }  // namespace cleave::topology::detail

@@ -15,7 +15,7 @@ namespace cleave::topology::detail {
 /// Signs that make mates opposite wherever that can be, and one loop per piece where it cannot.
 struct Orientation {
   std::vector<std::int8_t> signs;
-  std::vector<std::uint32_t> piece_of_cell;
+  std::vector<Index> piece_of_cell;
   std::vector<NonOrientable> loops;  // one per non-orientable piece
   std::vector<bool> orientable;      // per piece
 };
@@ -63,9 +63,9 @@ Orientation orientation(std::span<const Cell<D>> cells, const std::vector<HalfFa
   std::vector<CellId> queue, at_conflicts;
   std::optional<OddLoops<D>> odd_loops;
   std::size_t steps = std::max(kLeastSteps, kStepsPerCell * cells.size());
-  for (std::uint32_t root = 0; root < cells.size(); ++root) {
+  for (Index root = 0; root < cells.size(); ++root) {
     if (result.signs[root] != 0) continue;
-    const auto piece = static_cast<std::uint32_t>(result.orientable.size());
+    const auto piece = static_cast<Index>(result.orientable.size());
     result.orientable.push_back(true);
     result.signs[root] = 1;
     queue.assign(1, CellId{root});

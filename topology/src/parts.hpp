@@ -22,7 +22,7 @@ std::vector<VertexPart> vertex_parts(std::span<const Cell<D>> cells,
   std::vector<VertexPart> parts;
   std::vector<bool> seen(mates.size(), false);
   std::vector<CornerId> part;
-  for (std::uint32_t c = 0; c < mates.size(); ++c) {
+  for (Index c = 0; c < mates.size(); ++c) {
     if (seen[c]) continue;
     const VertexId vertex = cells[c / (D + 1)][c % (D + 1)];
     parts.push_back({vertex, CornerId{c}});

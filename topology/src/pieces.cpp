@@ -4,13 +4,13 @@ namespace cleave::topology {
 
 template <int D>
 Pieces pieces(const Complex<D>& k) {
-  constexpr std::uint32_t kUnreached = UINT32_MAX;
+  constexpr Index kUnreached = kNoIndex;
   Pieces found;
   found.of_cell.assign(k.cell_count(), kUnreached);
   std::vector<CellId> open;  // reached cells whose neighbours were not looked at yet
-  for (std::uint32_t first = 0; first < k.cell_count(); ++first) {
+  for (Index first = 0; first < k.cell_count(); ++first) {
     if (found.of_cell[first] != kUnreached) continue;
-    const auto piece = static_cast<std::uint32_t>(found.count++);
+    const auto piece = static_cast<Index>(found.count++);
     found.of_cell[first] = piece;
     open.push_back({first});
     while (!open.empty()) {

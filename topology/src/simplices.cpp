@@ -23,7 +23,7 @@ template <int K, int D>
 std::vector<InCell<K>> sorted_pairs(const Complex<D>& k) {
   std::vector<InCell<K>> pairs;
   pairs.reserve(k.cell_count() * detail::face_count(D, K));
-  for (std::uint32_t c = 0; c < k.cell_count(); ++c) {
+  for (Index c = 0; c < k.cell_count(); ++c) {
     Cell<D> cell = k.vertices({c});
     std::sort(cell.begin(), cell.end());
     detail::for_each_face<K, D>(cell, [&](const auto& face) { pairs.push_back({face, {c}}); });
@@ -39,7 +39,7 @@ Simplices<D>::Simplices(const Complex<D>& k, int simplex_dimension) : k_(simplex
   if (k_ < 0 || k_ > D)
     throw std::invalid_argument("a complex of dimension " + std::to_string(D) +
                                 " has no simplices of dimension " + std::to_string(k_));
-  if (k.cell_count() > UINT32_MAX / detail::face_count(D, k_))
+  if (k.cell_count() > kNoIndex / detail::face_count(D, k_))
     throw std::length_error(
         "too many (cell, face) pairs for 32-bit numbers: " + std::to_string(k.cell_count()) +
         " cells of dimension " + std::to_string(D) + ", faces of dimension " + std::to_string(k_));
@@ -48,12 +48,12 @@ Simplices<D>::Simplices(const Complex<D>& k, int simplex_dimension) : k_(simplex
     cells_.reserve(pairs.size());
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       if (i == 0 || pairs[i].simplex != pairs[i - 1].simplex) {
-        offsets_.push_back(static_cast<std::uint32_t>(i));
+        offsets_.push_back(static_cast<Index>(i));
         vertices_.insert(vertices_.end(), pairs[i].simplex.begin(), pairs[i].simplex.end());
       }
       cells_.push_back(pairs[i].cell);
     }
-    offsets_.push_back(static_cast<std::uint32_t>(pairs.size()));
+    offsets_.push_back(static_cast<Index>(pairs.size()));
   });
 }
 

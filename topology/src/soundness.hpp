@@ -25,7 +25,7 @@ void require_signs(const CellView<D>& soup) {
 template <int D>
 std::vector<Violation> unsound_cells(const CellView<D>& soup) {
   std::vector<Violation> found;
-  for (std::uint32_t c = 0; c < soup.cells.size(); ++c) {
+  for (Index c = 0; c < soup.cells.size(); ++c) {
     const Cell<D>& cell = soup.cells[c];
     for (std::size_t i = 0; i < cell.size(); ++i) {
       if (cell[i].value >= soup.vertex_count) found.push_back(VertexOutOfRange{CellId{c}, cell[i]});

@@ -48,7 +48,7 @@ std::vector<VertexId> find_pinched_simplices(std::span<const Cell<D>> cells,
     std::vector<Part> parts;
     std::vector<std::bitset<(std::size_t{1} << (D + 1))>> seen(cells.size());
     std::vector<CellFace> queue;
-    for (std::uint32_t c = 0; c < cells.size(); ++c) {
+    for (Index c = 0; c < cells.size(); ++c) {
       for (std::uint32_t mask = 0; mask < 1u << (D + 1); ++mask) {
         if (std::bitset<D + 1>(mask).count() != size || seen[c][mask]) continue;
         Part part{{}, CellId{c}};
@@ -152,10 +152,10 @@ void find_bad_links(std::span<const Cell<D>> cells, const std::vector<HalfFacetI
                     std::vector<Violation>& found) {
   if constexpr (D == 3) {
     std::vector<CornerId> a_corner(vertex_count, CornerId{kNone});
-    for (std::uint32_t c = 0; c < mates.size(); ++c) a_corner[cells[c / 4][c % 4].value].value = c;
+    for (Index c = 0; c < mates.size(); ++c) a_corner[cells[c / 4][c % 4].value].value = c;
     std::vector<CornerId> star;
     CornerSet seen;
-    for (std::uint32_t v = 0; v < vertex_count; ++v) {
+    for (Index v = 0; v < vertex_count; ++v) {
       const VertexId vertex{v};
       if (a_corner[v].value == kNone ||
           std::binary_search(known_bad.begin(), known_bad.end(), vertex))

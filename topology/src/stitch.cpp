@@ -39,7 +39,7 @@ class Merging {
   /// The vertices that cease to exist, ascending.
   std::vector<Merge> merges() {
     std::vector<Merge> merges;
-    for (std::uint32_t n = 0; n < unions_.nodes().size(); ++n) {
+    for (Index n = 0; n < unions_.nodes().size(); ++n) {
       const VertexId vertex = unions_.nodes()[n].vertex;
       if (const VertexId stays = unions_.stays(n); stays != vertex)
         merges.push_back({vertex, stays});
@@ -52,7 +52,7 @@ class Merging {
   /// The least of the vertices that stay at which the n-th facet was separated.
   VertexId was_separated_by(std::size_t n) {
     VertexId least{detail::kNone};
-    for (const std::uint32_t node : separated_[n])
+    for (const Index node : separated_[n])
       if (node != detail::kNone) least = std::min(least, unions_.stays(node));
     return least;
   }
@@ -67,7 +67,7 @@ class Merging {
   }
 
   /// For each vertex of a facet its node, or none if it has the same copy on both sides.
-  using Separated = std::array<std::uint32_t, static_cast<std::size_t>(D)>;
+  using Separated = std::array<Index, static_cast<std::size_t>(D)>;
 
   const Incision<D>& incision_;
   detail::VertexUnions unions_;
@@ -221,7 +221,7 @@ class Stitching {
     for (const Class& c : merged_) Access::set_a_corner(k_, c.vertex, CornerId{detail::kNone});
     std::size_t bound = old_vertex_count_;
     while (bound > incision_.original_vertex_count() &&
-           !k_.a_corner({static_cast<std::uint32_t>(bound - 1)}))
+           !k_.a_corner({static_cast<Index>(bound - 1)}))
       --bound;
     Access::resize_vertices(k_, bound);
   }

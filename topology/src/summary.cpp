@@ -16,7 +16,7 @@ namespace {
 template <std::size_t Size>
 struct FaceOf {
   std::array<VertexId, Size> face;
-  std::uint32_t of;
+  Index of;
   friend auto operator<=>(const FaceOf&, const FaceOf&) = default;
 };
 
@@ -25,7 +25,7 @@ template <int K, int D>
 std::vector<FaceOf<K + 1>> sorted_faces(std::span<const Cell<D>> simplices) {
   std::vector<FaceOf<K + 1>> faces;
   faces.reserve(simplices.size() * detail::face_count(D, K));
-  for (std::uint32_t s = 0; s < simplices.size(); ++s)
+  for (Index s = 0; s < simplices.size(); ++s)
     detail::for_each_face<K, D>(simplices[s], [&](const auto& face) {
       faces.push_back({face, s});
     });

@@ -27,7 +27,7 @@ class Ungluing {
         cut_(cut),
         cells_(Access::cells(k)),
         mates_(Access::mates(k)),
-        old_vertex_count_(static_cast<std::uint32_t>(k.vertex_count())),
+        old_vertex_count_(static_cast<Index>(k.vertex_count())),
         new_ids_(free_ids, old_vertex_count_) {
     severed_.reserve(cut.size());
     for (const HalfFacetId h : cut.half_facets()) {
@@ -82,7 +82,7 @@ class Ungluing {
     if (parent.value >= old_vertex_count_) return;  // visited: provisional
     if (old_vertex_count_ + classes_.size() >= detail::kNone)
       throw std::length_error("the cut needs more vertices than 32-bit ids can number");
-    const VertexId provisional{old_vertex_count_ + static_cast<std::uint32_t>(classes_.size())};
+    const VertexId provisional{old_vertex_count_ + static_cast<Index>(classes_.size())};
     const CornerId named = *k_.a_corner(parent);
     classes_.push_back({parent, start, corners_.size(), corners_.size(), provisional, named});
     // A visited corner is found no more by its old vertex, so each one reached is new.
@@ -184,7 +184,7 @@ class Ungluing {
   const FacetSet& cut_;
   std::vector<Cell<D>>& cells_;
   std::vector<HalfFacetId>& mates_;
-  const std::uint32_t old_vertex_count_;
+  const Index old_vertex_count_;
   detail::NewIds new_ids_;
   std::vector<detail::FacetMates> severed_;
   std::vector<Class> classes_;

@@ -13,7 +13,7 @@
 namespace cleave::topology {
 namespace {
 
-void require(bool holds, const char* what, std::uint32_t id) {
+void require(bool holds, const char* what, Index id) {
   if (!holds) throw InvariantBroken(std::string(what) + " (" + std::to_string(id) + ")");
 }
 
@@ -56,15 +56,14 @@ void verify_splits(const Relabelling& change) {
     if (split.vertex.value >= change.vertices_before) ++beyond;
   }
   require(change.vertices_after == change.vertices_before + beyond,
-          "vertices are not counted right, splits",
-          static_cast<std::uint32_t>(change.splits.size()));
+          "vertices are not counted right, splits", static_cast<Index>(change.splits.size()));
 }
 
 /// Vertices that ceased to exist are told of once each, and no cell uses them.
 template <int D>
 void verify_merges(const Complex<D>& k, const Relabelling& change) {
   require(change.vertices_after <= change.vertices_before, "vertices are not counted right, merges",
-          static_cast<std::uint32_t>(change.merges.size()));
+          static_cast<Index>(change.merges.size()));
   for (std::size_t n = 0; n < change.merges.size(); ++n) {
     const Merge& merge = change.merges[n];
     require(merge.vertex.value < change.vertices_before &&
@@ -80,9 +79,9 @@ void verify_merges(const Complex<D>& k, const Relabelling& change) {
 template <int D>
 void verify_names(const Complex<D>& k, const Relabelling& change) {
   require(k.vertex_count() == change.vertices_after, "vertices are not counted right",
-          static_cast<std::uint32_t>(change.vertices_after));
+          static_cast<Index>(change.vertices_after));
   require(change.splits.empty() || change.merges.empty(), "a change both splits and merges, copies",
-          static_cast<std::uint32_t>(change.splits.size()));
+          static_cast<Index>(change.splits.size()));
   if (change.merges.empty())
     verify_splits(change);
   else
@@ -107,8 +106,7 @@ void verify_facets(const Complex<D>& k, const FacetSet& cut, const Relabelling& 
   std::inplace_merge(named.begin(), named.begin() + std::ssize(change.shut), named.end());
   const auto asked = cut.half_facets();
   require(std::equal(named.begin(), named.end(), asked.begin(), asked.end()),
-          "opened and shut facets are not those of the cut",
-          static_cast<std::uint32_t>(cut.size()));
+          "opened and shut facets are not those of the cut", static_cast<Index>(cut.size()));
   for (const HalfFacetId h : change.shut)
     require(k.is_interior(h), "a shut facet lost its mate", h.value);
   for (const OpenedFacet& facet : change.closed)
@@ -216,12 +214,12 @@ void verify_all(const Complex<D>& k) {
   soup.cells.assign(k.cells().begin(), k.cells().end());
   soup.vertex_count = k.vertex_count();
   soup.signs.reserve(k.cell_count());
-  for (std::uint32_t c = 0; c < k.cell_count(); ++c)
+  for (Index c = 0; c < k.cell_count(); ++c)
     soup.signs.push_back(static_cast<std::int8_t>(k.sign(CellId{c})));
   for (const Violation& violation : check(soup, Level::cut_regular))
     if (!std::holds_alternative<OrphanVertex>(violation))
       throw InvariantBroken(describe(violation));
-  for (std::uint32_t h = 0; h < k.half_facet_count(); ++h)
+  for (Index h = 0; h < k.half_facet_count(); ++h)
     if (const auto mate = k.mate(HalfFacetId{h})) verify_mates(k, HalfFacetId{h}, *mate);
 }
 

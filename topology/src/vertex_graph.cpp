@@ -9,7 +9,7 @@ namespace cleave::topology {
 template <int D>
 VertexGraph::VertexGraph(const Complex<D>& k) {
   const Simplices<D> edges(k, 1);
-  if (edges.count() > UINT32_MAX / 2)
+  if (edges.count() > kNoIndex / 2)
     throw std::length_error("too many 1-simplices for a vertex graph with 32-bit numbers");
   offsets_.assign(k.vertex_count() + 1, 0);
   for (std::size_t e = 0; e < edges.count(); ++e)
@@ -18,7 +18,7 @@ VertexGraph::VertexGraph(const Complex<D>& k) {
 
   // Edges come in lexicographic order, so every vertex first meets its lesser neighbours,
   // ascending, then, once it is the lesser end itself, the greater ones.
-  std::vector<std::uint32_t> next(offsets_.begin(), offsets_.end() - 1);
+  std::vector<Index> next(offsets_.begin(), offsets_.end() - 1);
   neighbours_.resize(2 * edges.count());
   for (std::size_t e = 0; e < edges.count(); ++e) {
     const VertexId lesser = edges[e][0], greater = edges[e][1];

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "complex_access.hpp"
+#include "hash_bits.hpp"
 
 namespace cleave::topology::detail {
 
@@ -15,22 +16,22 @@ class VertexUnions {
  public:
   struct Node {
     VertexId vertex;
-    CornerId least;         // of the vertex' class
-    std::uint32_t towards;  // a node of the same union, nearer to the one that stays
+    CornerId least;  // of the vertex' class
+    Index towards;   // a node of the same union, nearer to the one that stays
   };
 
   /// The number of `vertex`, new or not; `least` is the least corner of its class.
-  std::uint32_t node(VertexId vertex, CornerId least) {
-    std::uint32_t& slot = slots_[slot_of(vertex)];
+  Index node(VertexId vertex, CornerId least) {
+    Index& slot = slots_[slot_of(vertex)];
     if (slot != kNone) return slot;
-    const auto made = static_cast<std::uint32_t>(nodes_.size());
+    const auto made = static_cast<Index>(nodes_.size());
     nodes_.push_back({vertex, least, made});
     slot = made;
     if (2 * nodes_.size() > slots_.size()) grow();
     return made;
   }
 
-  void unite(std::uint32_t a, std::uint32_t b) {
+  void unite(Index a, Index b) {
     a = root(a);
     b = root(b);
     if (nodes_[b].least < nodes_[a].least) std::swap(a, b);
@@ -38,19 +39,19 @@ class VertexUnions {
   }
 
   /// The vertex that stays of those united with this one.
-  VertexId stays(std::uint32_t node) { return nodes_[root(node)].vertex; }
+  VertexId stays(Index node) { return nodes_[root(node)].vertex; }
 
   const std::vector<Node>& nodes() const { return nodes_; }
 
  private:
-  std::uint32_t root(std::uint32_t node) {
+  Index root(Index node) {
     while (nodes_[node].towards != node)
       node = nodes_[node].towards = nodes_[nodes_[node].towards].towards;
     return node;
   }
 
   std::size_t slot_of(VertexId vertex) const {
-    std::size_t slot = vertex.value * 2654435769u >> (32 - bits_);  // 2^32 over the golden ratio
+    std::size_t slot = hash_bits(vertex.value, bits_);
     while (slots_[slot] != kNone && nodes_[slots_[slot]].vertex != vertex)
       slot = (slot + 1) & (slots_.size() - 1);
     return slot;
@@ -58,11 +59,11 @@ class VertexUnions {
   void grow() {
     slots_.assign(2 * slots_.size(), kNone);
     ++bits_;
-    for (std::uint32_t n = 0; n < nodes_.size(); ++n) slots_[slot_of(nodes_[n].vertex)] = n;
+    for (Index n = 0; n < nodes_.size(); ++n) slots_[slot_of(nodes_[n].vertex)] = n;
   }
 
   int bits_ = 6;
-  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(std::size_t{1} << bits_, kNone);
+  std::vector<Index> slots_ = std::vector<Index>(std::size_t{1} << bits_, kNone);
   std::vector<Node> nodes_;
 };
 

@@ -96,7 +96,7 @@ class Complex {
 
  private:
   friend struct detail::ComplexAccess<D>;
-  static constexpr std::uint32_t kNone = UINT32_MAX;
+  static constexpr Index kNone = kNoIndex;
 
   std::vector<Cell<D>> cells_;
   std::vector<HalfFacetId> mates_;

@@ -43,8 +43,7 @@ class DualEdgeIterator : public boost::iterator_facade<DualEdgeIterator<D>, Dual
                                                        boost::forward_traversal_tag, DualEdge> {
  public:
   DualEdgeIterator() = default;
-  DualEdgeIterator(const Complex<D>& k, std::uint32_t first, std::uint32_t last,
-                   bool each_facet_once)
+  DualEdgeIterator(const Complex<D>& k, Index first, Index last, bool each_facet_once)
       : k_(&k), h_{first}, last_(last), each_facet_once_(each_facet_once) {
     skip();
   }
@@ -67,7 +66,7 @@ class DualEdgeIterator : public boost::iterator_facade<DualEdgeIterator<D>, Dual
 
   const Complex<D>* k_ = nullptr;
   HalfFacetId h_;
-  std::uint32_t last_ = 0;
+  Index last_ = 0;
   bool each_facet_once_ = false;
 };
 
@@ -103,7 +102,7 @@ std::size_t num_vertices(const DualGraph<D>& g) {
 /// The interior facets of `cell`, crossed out of it.
 template <int D>
 auto out_edges(CellId cell, const DualGraph<D>& g) {
-  const std::uint32_t first = half_facet<D>(cell, 0).value, last = first + D + 1;
+  const Index first = half_facet<D>(cell, 0).value, last = first + D + 1;
   return std::pair(DualEdgeIterator<D>(g.complex(), first, last, false),
                    DualEdgeIterator<D>(g.complex(), last, last, false));
 }
@@ -124,7 +123,7 @@ auto adjacent_vertices(CellId cell, const DualGraph<D>& g) {
 /// Every interior facet once, from its lesser half-facet.
 template <int D>
 auto edges(const DualGraph<D>& g) {
-  const auto last = static_cast<std::uint32_t>(g.complex().half_facet_count());
+  const auto last = static_cast<Index>(g.complex().half_facet_count());
   return std::pair(DualEdgeIterator<D>(g.complex(), 0, last, true),
                    DualEdgeIterator<D>(g.complex(), last, last, true));
 }

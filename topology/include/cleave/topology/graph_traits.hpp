@@ -25,7 +25,7 @@ struct UndirectedGraphTraits {
   using vertices_size_type = std::size_t;
   using edges_size_type = std::size_t;
   using degree_size_type = std::size_t;
-  static constexpr Vertex null_vertex() { return {UINT32_MAX}; }
+  static constexpr Vertex null_vertex() { return {kNoIndex}; }
 };
 
 /// What boost::property_map reads of the numbers of vertices.

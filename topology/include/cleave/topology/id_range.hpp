@@ -24,7 +24,7 @@ class IdIterator : public boost::iterator_facade<IdIterator<AnId>, AnId,
   bool equal(const IdIterator& other) const { return id_ == other.id_; }
   void increment() { ++id_.value; }
   void decrement() { --id_.value; }
-  void advance(std::ptrdiff_t n) { id_.value = static_cast<std::uint32_t>(id_.value + n); }
+  void advance(std::ptrdiff_t n) { id_.value = static_cast<Index>(id_.value + n); }
   std::ptrdiff_t distance_to(const IdIterator& other) const {
     return static_cast<std::ptrdiff_t>(other.id_.value) - static_cast<std::ptrdiff_t>(id_.value);
   }
@@ -35,7 +35,7 @@ class IdIterator : public boost::iterator_facade<IdIterator<AnId>, AnId,
 /// The ids 0 .. count-1.
 template <class AnId>
 std::pair<IdIterator<AnId>, IdIterator<AnId>> id_range(std::size_t count) {
-  return {IdIterator<AnId>(AnId{0}), IdIterator<AnId>(AnId{static_cast<std::uint32_t>(count)})};
+  return {IdIterator<AnId>(AnId{0}), IdIterator<AnId>(AnId{static_cast<Index>(count)})};
 }
 
 /// The vertex_index of graphs whose vertices are ids: the number of an id is its value.

@@ -8,10 +8,21 @@
 /// The numbers everything else speaks of: vertices, cells, half-facets and corners.
 namespace cleave::topology {
 
-/// A 32-bit index with a type of its own, so that a cell cannot be taken for a vertex.
+/// What ids count with: 32 bits, or 64 if the library is built with CLEAVE_ID_BITS=64 (a setting of
+/// CMake, which whoever links the library gets too).
+#if defined(CLEAVE_ID_BITS) && CLEAVE_ID_BITS == 64
+using Index = std::uint64_t;
+#else
+using Index = std::uint32_t;
+#endif
+
+/// No id has this value: it stands for "none".
+inline constexpr Index kNoIndex = static_cast<Index>(-1);
+
+/// An index with a type of its own, so that a cell cannot be taken for a vertex.
 template <class Tag>
 struct Id {
-  std::uint32_t value = 0;
+  Index value = 0;
   friend constexpr auto operator<=>(Id, Id) = default;
 };
 
@@ -35,19 +46,19 @@ using Facet = std::array<VertexId, static_cast<std::size_t>(D)>;
 
 template <int D>
 constexpr HalfFacetId half_facet(CellId cell, int i) {
-  return {cell.value * static_cast<std::uint32_t>(D + 1) + static_cast<std::uint32_t>(i)};
+  return {cell.value * static_cast<Index>(D + 1) + static_cast<Index>(i)};
 }
 
 /// The cell a half-facet (or corner) belongs to.
 template <int D>
 constexpr CellId cell_of(HalfFacetId h) {
-  return {h.value / static_cast<std::uint32_t>(D + 1)};
+  return {h.value / static_cast<Index>(D + 1)};
 }
 
 /// The local index i in 0..D of a half-facet (or corner).
 template <int D>
 constexpr int local_index(HalfFacetId h) {
-  return static_cast<int>(h.value % static_cast<std::uint32_t>(D + 1));
+  return static_cast<int>(h.value % static_cast<Index>(D + 1));
 }
 
 }  // namespace cleave::topology
@@ -55,6 +66,6 @@ constexpr int local_index(HalfFacetId h) {
 template <class Tag>
 struct std::hash<cleave::topology::Id<Tag>> {
   std::size_t operator()(cleave::topology::Id<Tag> id) const noexcept {
-    return std::hash<std::uint32_t>{}(id.value);
+    return std::hash<cleave::topology::Index>{}(id.value);
   }
 };

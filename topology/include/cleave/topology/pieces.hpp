@@ -10,7 +10,7 @@ namespace cleave::topology {
 /// The connected components of the dual graph: of_cell[c] in 0 .. count-1, numbered by least cell.
 struct Pieces {
   std::size_t count = 0;
-  std::vector<std::uint32_t> of_cell;
+  std::vector<Index> of_cell;
 };
 
 /// In a cut-regular complex two cells that share a vertex are in one piece (T9), so a vertex is in

@@ -44,8 +44,8 @@ class Simplices {
 
  private:
   int k_;
-  std::vector<VertexId> vertices_;      // k+1 per simplex
-  std::vector<std::uint32_t> offsets_;  // into cells_, one more than simplices
+  std::vector<VertexId> vertices_;  // k+1 per simplex
+  std::vector<Index> offsets_;      // into cells_, one more than simplices
   std::vector<CellId> cells_;
 };
 

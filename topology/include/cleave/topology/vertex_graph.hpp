@@ -28,13 +28,13 @@ class VertexGraph {
 
   /// The vertices that share a 1-simplex with `vertex`, ascending.
   std::span<const VertexId> neighbours(VertexId vertex) const {
-    const std::uint32_t first = offsets_[vertex.value], last = offsets_[vertex.value + 1];
+    const Index first = offsets_[vertex.value], last = offsets_[vertex.value + 1];
     return std::span(neighbours_).subspan(first, last - first);
   }
 
  private:
-  std::vector<std::uint32_t> offsets_;  // into neighbours_, one more than vertices
-  std::vector<VertexId> neighbours_;    // twice as many as edges
+  std::vector<Index> offsets_;        // into neighbours_, one more than vertices
+  std::vector<VertexId> neighbours_;  // twice as many as edges
 };
 
 /// A 1-simplex, walked from one of its vertices to the other.
@@ -117,7 +117,7 @@ inline std::size_t out_degree(VertexId vertex, const VertexGraph& g) {
 }
 
 inline auto edges(const VertexGraph& g) {
-  const VertexId end{static_cast<std::uint32_t>(g.vertex_count())};
+  const VertexId end{static_cast<Index>(g.vertex_count())};
   return std::pair(VertexEdgeIterator(g, {0}), VertexEdgeIterator(g, end));
 }
 
