@@ -27,7 +27,7 @@ void require_ids_suffice(const CubeSpec& spec) {
     corners *= static_cast<double>(n - 1);
     vertices *= static_cast<double>(n);
   }
-  if (corners > 4294967294.0 || vertices > 4294967294.0)
+  if (corners > 2147483647.0 || vertices > 4294967294.0)
     throw InputError("the cube has too many cells for 32-bit corner numbers; give it fewer nodes");
 }
 

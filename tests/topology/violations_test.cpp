@@ -254,10 +254,11 @@ TEST(Assemble, RegularizesOnlyWhatIsOtherwiseSound) {
 }
 
 TEST(RequireIdsSuffice, RefusesMoreCornersOrVerticesThanIds) {
-  // 2^32 - 1 means "none" and bounds every count.
+  // 2^32 - 1 means "none" and bounds every count; corners leave a bit to mark those without mate.
   constexpr std::size_t kIds = std::numeric_limits<std::uint32_t>::max() - std::size_t{1};
+  constexpr std::size_t kCorners = kIds / 2;
   for (const int dimension : {1, 2, 3, 4}) {
-    const std::size_t most = kIds / (static_cast<std::size_t>(dimension) + 1);
+    const std::size_t most = kCorners / (static_cast<std::size_t>(dimension) + 1);
     EXPECT_NO_THROW(require_ids_suffice(dimension, most, kIds));
     EXPECT_THROW(require_ids_suffice(dimension, most + 1, 5), std::length_error);
     EXPECT_THROW(require_ids_suffice(dimension, std::numeric_limits<std::size_t>::max(), 5),

@@ -33,6 +33,13 @@ struct ComplexAccess {
   static void resize_vertices(Complex<D>& k, std::size_t count) {
     k.a_corner_of_copy_.resize(count - k.a_corner_.size(), CornerId{kNone});
   }
+  /// From now on facets that a cut has opened count as boundary from the start. Time: linear, if
+  /// there are copies; else no facet is open.
+  static void forget_former_mates(Complex<D>& k) {
+    if (k.a_corner_of_copy_.empty()) return;
+    for (HalfFacetId& entry : k.mates_)
+      if (!is_mate(entry)) entry.value = kNone;
+  }
   static const std::vector<Cell<D>>& cells(const Complex<D>& k) { return k.cells_; }
   static const std::vector<HalfFacetId>& mates(const Complex<D>& k) { return k.mates_; }
 };

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "complex_access.hpp"
@@ -15,8 +16,18 @@ inline void join(std::vector<HalfFacetId>& mates, const FacetMates& facet) {
   mates[facet.greater.value] = facet.lesser;
 }
 
+/// Each keeps the other as its former mate.
 inline void sever(std::vector<HalfFacetId>& mates, const FacetMates& facet) {
-  mates[facet.lesser.value] = mates[facet.greater.value] = HalfFacetId{kNone};
+  mates[facet.lesser.value].value = facet.greater.value | kSevered;
+  mates[facet.greater.value].value = facet.lesser.value | kSevered;
+}
+
+/// The mate that a half-facet had until a cut opened its facet; none for others.
+inline std::optional<HalfFacetId> former_mate(const std::vector<HalfFacetId>& mates,
+                                              HalfFacetId h) {
+  const HalfFacetId entry = mates[h.value];
+  if (is_mate(entry) || entry.value == kNone) return std::nullopt;
+  return HalfFacetId{entry.value & ~kSevered};
 }
 
 }  // namespace cleave::topology::detail

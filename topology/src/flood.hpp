@@ -30,7 +30,7 @@ void flood(std::span<const Cell<D>> cells, const std::vector<HalfFacetId>& mates
     for (int j = 0; j <= D; ++j) {
       if (j == local_index<D>(part[next])) continue;  // the facet opposite the vertex
       const HalfFacetId mate = mates[half_facet<D>(cell, j).value];
-      if (mate.value == kNone) continue;
+      if (!is_mate(mate)) continue;
       const auto across = corner_at<D>(cells, cell_of<D>(mate), vertex);
       if (!across) continue;
       part.push_back(*across);  // before it is marked, lest memory ends in between

@@ -13,7 +13,9 @@
 namespace cleave::topology {
 template <int D>
 Incision<D>::Incision(Complex<D> original)
-    : complex_(std::move(original)), original_vertex_count_(complex_.vertex_count()) {}
+    : complex_(std::move(original)), original_vertex_count_(complex_.vertex_count()) {
+  detail::ComplexAccess<D>::forget_former_mates(complex_);
+}
 
 template <int D>
 VertexId Incision<D>::original(VertexId vertex) const {

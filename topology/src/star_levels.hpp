@@ -63,7 +63,7 @@ std::vector<VertexId> find_pinched_simplices(std::span<const Cell<D>> cells,
           for (int i = 0; i <= D; ++i) {
             if (face.mask >> i & 1u) continue;  // this facet does not contain the face
             const HalfFacetId mate = mates[half_facet<D>(face.cell, i).value];
-            if (mate.value == kNone) continue;
+            if (!is_mate(mate)) continue;
             const CellId across = cell_of<D>(mate);
             const std::uint32_t there = mask_in<D>(cells, face, across);
             if (seen[across.value][there]) continue;
@@ -112,7 +112,7 @@ inline LinkCount count_link(std::span<const Cell<3>> cells, const std::vector<Ha
       if (i == local_index<3>(corner)) continue;
       neighbours.push_back(cell[static_cast<std::size_t>(i)]);
       ++half_edges;
-      if (mates[half_facet<3>(cell_of<3>(corner), i).value].value != kNone) continue;
+      if (is_mate(mates[half_facet<3>(cell_of<3>(corner), i).value])) continue;
       std::vector<VertexId> ends;
       for (int j = 0; j <= 3; ++j)
         if (j != i && cell[static_cast<std::size_t>(j)] != vertex)

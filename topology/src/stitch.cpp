@@ -178,7 +178,7 @@ class Stitching {
       if (n != 0 && cell == cell_of<D>(change.corners[n - 1].corner)) continue;  // looked at
       for (int i = 0; i <= D; ++i) {
         const HalfFacetId h = half_facet<D>(cell, i);
-        if (mates_[h.value].value != detail::kNone) continue;
+        if (detail::is_mate(mates_[h.value])) continue;
         const auto former = former_mates_.find(h);
         if (former == former_mates_.end() || !same_vertices(h, former->second)) continue;
         close({std::min(h, former->second), std::max(h, former->second)});

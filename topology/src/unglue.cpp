@@ -31,7 +31,7 @@ class Ungluing {
         new_ids_(free_ids, old_vertex_count_) {
     severed_.reserve(cut.size());
     for (const HalfFacetId h : cut.half_facets()) {
-      if (h.value >= mates_.size() || mates_[h.value].value == detail::kNone || mates_[h.value] < h)
+      if (h.value >= mates_.size() || !detail::is_mate(mates_[h.value]) || mates_[h.value] < h)
         throw NotInterior(h);
       severed_.push_back({h, mates_[h.value]});
     }

@@ -14,7 +14,12 @@ namespace cleave::topology {
 namespace detail {
 template <int D>
 struct ComplexAccess;  // the few functions that build or change a Complex
-}
+
+/// What is kept of a half-facet's mate: the mate; or, with this bit set, the mate that it had until
+/// a cut opened the facet; or kNoIndex, which has the bit, too.
+inline constexpr Index kSevered = Index{1} << (8 * sizeof(Index) - 1);
+constexpr bool is_mate(HalfFacetId entry) { return entry.value < kSevered; }
+}  // namespace detail
 
 /// A validated value: a coherently oriented, cut-regular D-pseudo-manifold. Made by `assemble`;
 /// changed only by `unglue` and what is built on it, which keep that. Vertices carry no
@@ -57,7 +62,7 @@ class Complex {
   std::optional<HalfFacetId> mate(HalfFacetId h) const {
     assert(h.value < mates_.size());
     const HalfFacetId m = mates_[h.value];
-    if (m.value == kNone) return std::nullopt;
+    if (!detail::is_mate(m)) return std::nullopt;
     return m;
   }
 
@@ -99,7 +104,7 @@ class Complex {
   static constexpr Index kNone = kNoIndex;
 
   std::vector<Cell<D>> cells_;
-  std::vector<HalfFacetId> mates_;
+  std::vector<HalfFacetId> mates_;  // see detail::kSevered
   std::vector<bool> reversed_;
   std::vector<CornerId> a_corner_;          // of each vertex that the complex was made with
   std::vector<CornerId> a_corner_of_copy_;  // apart, so that a cut never moves the whole array
