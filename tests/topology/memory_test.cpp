@@ -1,6 +1,9 @@
 // What a cut asks of the heap: little, and when it gets none, nothing has happened.
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <vector>
+
 #include "cleave/support/heap.hpp"
 #include "cleave/topology/incision.hpp"
 #include "cleave/topology/unglue.hpp"
@@ -46,35 +49,6 @@ TYPED_TEST(Memory, UnglueThatRunsOutOfItChangesNothing) {
   }
 }
 
-TYPED_TEST(Memory, AnIncisionThatRunsOutOfItChangesNothing) {
-  constexpr int D = TypeParam::value;
-  const auto original = complex_of<D>(kuhn_cube<D>(D <= 2 ? 5 : 3));
-  const FacetSet cut = dense_cut(original);
-  std::vector<HalfFacetId> half;
-  for (std::size_t i = 0; i < cut.size(); i += 2) half.push_back(cut.half_facets()[i]);
-  Incision<D> staged(original);
-  staged.cut(FacetSet::of_lesser(half));
-
-  const Sight<D> sight = sight_of(staged.complex());
-  const auto opened = staged.opened();
-  const FacetSet shut = staged.shut();
-  const std::size_t needed =
-      support::run_out_of_memory([&] { staged.cut(cut); },
-                                 [&] {
-                                   EXPECT_EQ(sight_of(staged.complex()), sight);
-                                   EXPECT_EQ(staged.opened(), opened);
-                                   EXPECT_EQ(staged.shut(), shut);
-                                 });
-  EXPECT_GT(needed, 15u);
-  Incision<D> at_once(original);
-  at_once.cut(cut);
-  EXPECT_EQ(staged.scored(), at_once.scored());
-  EXPECT_EQ(staged.shut(), at_once.shut());
-  const auto one = canonical(staged), other = canonical(at_once);
-  for (std::uint32_t c = 0; c < original.half_facet_count(); ++c)
-    ASSERT_EQ(one[staged.complex().vertex({c}).value], other[at_once.complex().vertex({c}).value]);
-}
-
 /// All that can be seen of an incision.
 template <int D>
 struct IncisionSight {
@@ -95,41 +69,99 @@ IncisionSight<D> sight_of(const Incision<D>& incision) {
   return sight;
 }
 
-TYPED_TEST(Memory, AStitchThatRunsOutOfItChangesNothing) {
+/// Lets `step` run out of memory after 0, 1, 2, .. allocations, each time on a fresh copy of
+/// `incision`, which has no memory of earlier calls, until there is enough; nothing must have
+/// happened before. `incision` has undergone the step then. Returns how many allocations it took.
+template <int D, class Step>
+std::size_t run_out_of_memory(Incision<D>& incision, Step step) {
+  const IncisionSight<D> before = sight_of(incision);
+  for (std::size_t allocations = 0;; ++allocations) {
+    Incision<D> fresh = incision;
+    try {
+      const support::MemoryLimit limit(allocations);
+      step(fresh);
+    } catch (const std::bad_alloc&) {
+      EXPECT_EQ(sight_of(fresh), before) << allocations;
+      continue;
+    }
+    incision = std::move(fresh);
+    return allocations;
+  }
+}
+
+/// Every n-th facet of a set.
+FacetSet every(std::size_t n, const FacetSet& facets) {
+  std::vector<HalfFacetId> some;
+  for (std::size_t i = 0; i < facets.size(); i += n) some.push_back(facets.half_facets()[i]);
+  return FacetSet::of_lesser(some);
+}
+
+/// That two incisions are the same but for the ids of copies.
+template <int D>
+void expect_same_state(const Incision<D>& one, const Incision<D>& other) {
+  EXPECT_EQ(one.scored(), other.scored());
+  EXPECT_EQ(one.shut(), other.shut());
+  const auto here = canonical(one), there = canonical(other);
+  for (std::uint32_t c = 0; c < one.complex().half_facet_count(); ++c)
+    ASSERT_EQ(here[one.complex().vertex({c}).value], there[other.complex().vertex({c}).value]);
+}
+
+TYPED_TEST(Memory, AnIncisionThatRunsOutOfItChangesNothing) {
   constexpr int D = TypeParam::value;
   const auto original = complex_of<D>(kuhn_cube<D>(D <= 2 ? 5 : 3));
   const FacetSet cut = dense_cut(original);
-  std::vector<HalfFacetId> third;
-  for (std::size_t i = 0; i < cut.size(); i += 3) third.push_back(cut.half_facets()[i]);
-  const FacetSet taken_back = FacetSet::of_lesser(third);
+  Incision<D> staged(original);
+  staged.cut(every(2, cut));
+  EXPECT_GT(run_out_of_memory(staged, [&](Incision<D>& incision) { incision.cut(cut); }), 10u);
+  Incision<D> at_once(original);
+  at_once.cut(cut);
+  expect_same_state(staged, at_once);
+}
+
+TYPED_TEST(Memory, AStitchThatRunsOutOfItChangesNothing) {
+  constexpr int D = TypeParam::value;
+  const auto original = complex_of<D>(kuhn_cube<D>(D <= 2 ? 5 : 3));
+  const FacetSet cut = dense_cut(original), taken_back = every(3, cut);
   for (const Verify verify : {Verify::none, Verify::touched, Verify::all}) {
     Incision<D> incision(original);
     incision.cut(cut);
     const auto before = sight_of(incision);
-    const auto still = [&] { EXPECT_EQ(sight_of(incision), before); };
     Relabelling change;
-    const std::size_t needed =
-        support::run_out_of_memory([&] { change = incision.stitch(taken_back, verify); }, still);
-    EXPECT_GT(needed, 8u);
+    EXPECT_GT(
+        run_out_of_memory(incision, [&](Incision<D>& i) { change = i.stitch(taken_back, verify); }),
+        8u);
     EXPECT_FALSE(change.merges.empty());
     Incision<D> at_once(original);
     at_once.cut(cut - taken_back);
-    const auto one = canonical(incision), other = canonical(at_once);
-    for (std::uint32_t c = 0; c < original.half_facet_count(); ++c)
-      ASSERT_EQ(one[incision.complex().vertex({c}).value],
-                other[at_once.complex().vertex({c}).value]);
+    expect_same_state(incision, at_once);
 
     // Taken back and done again with ids in use and free ones.
     const auto after = sight_of(incision);
-    support::run_out_of_memory([&] { incision.undo(verify); },
-                               [&] { EXPECT_EQ(sight_of(incision), after); });
-    const auto undone = sight_of(incision);
-    EXPECT_EQ(undone.opened, before.opened);
-    support::run_out_of_memory([&] { incision.redo(verify); },
-                               [&] { EXPECT_EQ(sight_of(incision), undone); });
+    run_out_of_memory(incision, [&](Incision<D>& i) { i.undo(verify); });
+    EXPECT_EQ(incision.opened(), before.opened);
+    run_out_of_memory(incision, [&](Incision<D>& i) { i.redo(verify); });
     EXPECT_EQ(incision.shut(), after.shut);
     EXPECT_EQ(incision.opened(), after.opened);
   }
+}
+
+// With the memory of earlier calls at hand, too.
+TYPED_TEST(Memory, AWarmIncisionThatRunsOutOfItChangesNothing) {
+  constexpr int D = TypeParam::value;
+  const auto original = complex_of<D>(kuhn_cube<D>(D <= 2 ? 5 : 3));
+  const FacetSet cut = dense_cut(original);
+  Incision<D> incision(original);
+  incision.cut(every(3, cut));
+  incision.stitch(every(6, cut));
+  for (const auto& step : std::vector<std::function<void()>>{
+           [&] { incision.cut(cut); }, [&] { incision.stitch(every(2, cut)); },
+           [&] { incision.undo(); }, [&] { incision.redo(); }}) {
+    const auto before = sight_of(incision);
+    support::run_out_of_memory(step, [&] { EXPECT_EQ(sight_of(incision), before); });
+  }
+  Incision<D> at_once(original);
+  at_once.cut(cut - every(2, cut));
+  expect_same_state(incision, at_once);
 }
 
 /// The most bytes that a cut along all interior facets around the middle vertex of a grid holds.

@@ -2,6 +2,7 @@
 #include "dimensions.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -37,8 +38,11 @@ FacetSet FacetSet::all(const Complex<D>& k) {
 }
 
 FacetSet FacetSet::of_lesser(std::vector<HalfFacetId> lesser) {
-  std::sort(lesser.begin(), lesser.end());
-  lesser.erase(std::unique(lesser.begin(), lesser.end()), lesser.end());
+  const auto disorder = std::adjacent_find(lesser.begin(), lesser.end(), std::greater_equal<>());
+  if (disorder != lesser.end()) {
+    std::sort(lesser.begin(), lesser.end());
+    lesser.erase(std::unique(lesser.begin(), lesser.end()), lesser.end());
+  }
   FacetSet result;
   result.facets_ = std::move(lesser);
   return result;

@@ -1,16 +1,42 @@
 #include "cleave/topology/incision.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
-#include "complex_access.hpp"
 #include "dimensions.hpp"
 #include "free_ids.hpp"
+#include "incision_memory.hpp"
 #include "make_room.hpp"
 
 namespace cleave::topology {
+namespace {
+
+template <int D>
+using Access = detail::ComplexAccess<D>;
+
+/// The lesser half-facets of all opened facets, ascending. Each has a copy on one side at least.
+template <int D>
+std::vector<HalfFacetId> opened_half_facets(const Complex<D>& k, std::size_t originals) {
+  std::vector<HalfFacetId> opened;
+  const auto& mates = Access<D>::mates(k);
+  for (auto v = static_cast<Index>(originals); v < k.vertex_count(); ++v)
+    for (const CornerId corner : star(k, VertexId{v}))
+      for (int i = 0; i <= D; ++i) {
+        const auto h = half_facet<D>(cell_of<D>(corner), i);
+        if (h == corner) continue;
+        if (const auto mate = detail::former_mate(mates, h)) opened.push_back(std::min(h, *mate));
+      }
+  std::sort(opened.begin(), opened.end());
+  opened.erase(std::unique(opened.begin(), opened.end()), opened.end());
+  return opened;
+}
+
+}  // namespace
+
 template <int D>
 Incision<D>::Incision(Complex<D> original)
     : complex_(std::move(original)), original_vertex_count_(complex_.vertex_count()) {
@@ -27,9 +53,8 @@ VertexId Incision<D>::original(VertexId vertex) const {
 template <int D>
 std::vector<OpenedFacet> Incision<D>::opened() const {
   std::vector<OpenedFacet> opened;
-  opened.reserve(former_mates_.size() / 2);
-  for (const auto& [half_facet, mate] : former_mates_) {
-    if (mate < half_facet) continue;
+  for (const HalfFacetId half_facet : opened_half_facets(complex_, original_vertex_count_)) {
+    const HalfFacetId mate = *detail::former_mate(Access<D>::mates(complex_), half_facet);
     const Facet<D> one = complex_.facet(half_facet), other = complex_.facet(mate);
     std::optional<VertexId> by;
     for (const VertexId v : one)
@@ -37,89 +62,75 @@ std::vector<OpenedFacet> Incision<D>::opened() const {
         by = original(v);
     opened.push_back({half_facet, mate, by.value()});
   }
-  std::sort(opened.begin(), opened.end(),
-            [](const OpenedFacet& a, const OpenedFacet& b) { return a.half_facet < b.half_facet; });
   return opened;
 }
 
 template <int D>
 FacetSet Incision<D>::scored() const {
-  std::vector<HalfFacetId> scored(shut_.half_facets().begin(), shut_.half_facets().end());
-  for (const auto& [half_facet, mate] : former_mates_)
-    if (half_facet < mate) scored.push_back(half_facet);
-  return FacetSet::of_lesser(std::move(scored));
+  return FacetSet::of_lesser(opened_half_facets(complex_, original_vertex_count_)) | shut_;
 }
 
 template <int D>
 FacetSet Incision<D>::facets(std::span<const HalfFacetId> half_facets) const {
-  std::vector<HalfFacetId> lesser;
-  lesser.reserve(half_facets.size());
-  for (const HalfFacetId h : half_facets) {
-    if (h.value >= complex_.half_facet_count()) throw NotInterior(h);
-    if (const auto mate = complex_.mate(h)) {
+  FacetSet result;
+  facets(half_facets, result);
+  return result;
+}
+
+template <int D>
+void Incision<D>::facets(std::span<const HalfFacetId> half_facets, FacetSet& facets) const {
+  const auto& mates = Access<D>::mates(complex_);
+  detail::refill(facets, [&](std::vector<HalfFacetId>& lesser) {
+    lesser.reserve(half_facets.size());
+    for (const HalfFacetId h : half_facets) {
+      if (h.value >= mates.size()) throw NotInterior(h);
+      auto mate = complex_.mate(h);
+      if (!mate) mate = detail::former_mate(mates, h);
+      if (!mate) throw NotInterior(h);
       lesser.push_back(std::min(h, *mate));
-    } else {
-      const auto former = former_mates_.find(h);
-      if (former == former_mates_.end()) throw NotInterior(h);
-      lesser.push_back(std::min(h, former->second));
     }
-  }
-  return FacetSet::of_lesser(std::move(lesser));
+  });
 }
 
 template <int D>
 Relabelling Incision<D>::cut(const FacetSet& facets, Verify verify) {
-  std::vector<HalfFacetId> added;
-  for (const HalfFacetId h : facets.half_facets())
-    if (!former_mates_.contains(h) && !shut_.contains(h)) added.push_back(h);
-  Step step{FacetSet::of_lesser(std::move(added)), true};
-  detail::make_room(done_, 1);
-  Relabelling change = score(step.facets, verify);
-  record(std::move(step));
+  Relabelling change;
+  cut(facets, change, verify);
   return change;
 }
 
 template <int D>
-Relabelling Incision<D>::score(const FacetSet& facets, Verify verify) {
-  const FacetSet asked = shut_ | facets;
-  for (const HalfFacetId h : asked.half_facets()) {
-    if (h.value >= complex_.half_facet_count()) throw NotInterior(h);
-    const auto mate = complex_.mate(h);
-    if (!mate || *mate < h) throw NotInterior(h);
+void Incision<D>::cut(const FacetSet& facets, Relabelling& change, Verify verify) {
+  const auto& mates = Access<D>::mates(complex_);
+  std::vector<HalfFacetId>& added = memory_.get().asked;
+  added.clear();
+  for (const HalfFacetId h : facets.half_facets()) {
+    if (h.value >= mates.size()) throw NotInterior(h);
+    if (!detail::former_mate(mates, h) && !shut_.contains(h)) added.push_back(h);
   }
+  done_.make_room(added.size());
+  score(added, change, verify);
+  record(added, true);
+}
+
+template <int D>
+void Incision<D>::score(std::span<const HalfFacetId> facets, Relabelling& change, Verify verify) {
+  Memory& memory = memory_.get();
+  detail::refill(memory.cut, [&](std::vector<HalfFacetId>& cut) {
+    const auto shut = shut_.half_facets();
+    std::set_union(facets.begin(), facets.end(), shut.begin(), shut.end(), std::back_inserter(cut));
+  });
 
   // All memory first, so that the records cannot miss what the complex has undergone.
-  std::vector<HalfFacetId> shut;
-  Relabelling change;
-  try {
-    shut.reserve(asked.size());
-    detail::make_room(original_of_copy_, 2 * static_cast<std::size_t>(D) * asked.size());
-    for (const HalfFacetId h : asked.half_facets()) {
-      const HalfFacetId mate = *complex_.mate(h);
-      former_mates_.emplace(h, mate);
-      former_mates_.emplace(mate, h);
-    }
-    change = detail::unglue_with_ids(complex_, asked, verify, free_);
-  } catch (...) {
-    for (const HalfFacetId h : asked.half_facets()) forget_mates(h);
-    throw;
-  }
+  detail::make_room(original_of_copy_, 2 * static_cast<std::size_t>(D) * memory.cut.size());
+  detail::refill(memory.shut, [&](auto& shut) { shut.reserve(memory.cut.size()); });
+  change = detail::unglue_with_ids(complex_, memory.cut, verify, free_);
+
   original_of_copy_.resize(change.vertices_after - original_vertex_count_);
   for (const Split& split : change.splits)
     original_of_copy_[split.vertex.value - original_vertex_count_] = original(split.parent);
-  for (const HalfFacetId h : change.shut) forget_mates(h);
-  shut.assign(change.shut.begin(), change.shut.end());
-  shut_ = FacetSet::of_lesser(std::move(shut));
-  return change;
-}
-
-template <int D>
-void Incision<D>::forget_mates(HalfFacetId half_facet) {
-  const auto former = former_mates_.find(half_facet);
-  if (former == former_mates_.end()) return;
-  const HalfFacetId mate = former->second;
-  former_mates_.erase(former);
-  former_mates_.erase(mate);
+  detail::refill(memory.shut, [&](auto& shut) { shut = change.shut; });
+  std::swap(shut_, memory.shut);
 }
 
 template <int D>
@@ -128,41 +139,64 @@ void Incision<D>::forget_shut(const FacetSet& facets) {
 }
 
 template <int D>
-void Incision<D>::record(Step step) {
-  if (step.facets.empty()) return;
-  done_.push_back(std::move(step));
+void Incision<D>::record(std::span<const HalfFacetId> facets, bool scored) {
+  if (facets.empty()) return;
+  done_.push({facets, scored});
+  done_.keep_latest(most_steps_);
   undone_.clear();
 }
 
 template <int D>
-Relabelling Incision<D>::repeat(std::vector<Step>& from, std::vector<Step>& to, bool forwards,
-                                Verify verify) {
+void Incision<D>::repeat(detail::StepStack& from, detail::StepStack& to, bool forwards,
+                         Relabelling& change, Verify verify) {
   if (from.empty())
     throw std::logic_error(forwards ? "there is no step to be done again"
                                     : "there is no step to be taken back");
-  detail::make_room(to, 1);
-  const Step& step = from.back();
-  Relabelling change =
-      step.scored == forwards ? score(step.facets, verify) : take_back(step.facets, verify);
-  to.push_back(std::move(from.back()));
-  from.pop_back();
-  return change;
+  const detail::StepStack::Step step = from.top();
+  to.make_room(step.facets.size());
+  if (step.scored == forwards)
+    score(step.facets, change, verify);
+  else
+    take_back(step.facets, change, verify);
+  to.push(step);
+  from.pop();
 }
 
 template <int D>
 Relabelling Incision<D>::undo(Verify verify) {
-  return repeat(done_, undone_, false, verify);
+  Relabelling change;
+  undo(change, verify);
+  return change;
+}
+
+template <int D>
+void Incision<D>::undo(Relabelling& change, Verify verify) {
+  repeat(done_, undone_, false, change, verify);
 }
 
 template <int D>
 Relabelling Incision<D>::redo(Verify verify) {
-  return repeat(undone_, done_, true, verify);
+  Relabelling change;
+  redo(change, verify);
+  return change;
+}
+
+template <int D>
+void Incision<D>::redo(Relabelling& change, Verify verify) {
+  repeat(undone_, done_, true, change, verify);
 }
 
 template <int D>
 void Incision<D>::forget_steps() {
-  done_ = {};
-  undone_ = {};
+  done_.clear();
+  undone_.clear();
+}
+
+template <int D>
+void Incision<D>::keep_steps(std::size_t most) {
+  most_steps_ = most;
+  done_.keep_latest(most);
+  undone_.keep_latest(most);
 }
 
 template <int D>

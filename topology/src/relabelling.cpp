@@ -4,6 +4,16 @@
 
 namespace cleave::topology {
 
+void Relabelling::clear(std::size_t vertices) {
+  vertices_before = vertices_after = vertices;
+  corners.clear();
+  splits.clear();
+  merges.clear();
+  opened.clear();
+  closed.clear();
+  shut.clear();
+}
+
 VertexId Relabelling::parent(VertexId vertex) const {
   if (splits.empty() || vertex < splits.front().vertex) return vertex;
   const auto at = std::lower_bound(splits.begin(), splits.end(), vertex,

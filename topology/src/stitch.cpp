@@ -1,297 +1,294 @@
 #include <algorithm>
 #include <array>
-#include <unordered_map>
+#include <iterator>
+#include <stdexcept>
 #include <utility>
 
 #include "cleave/topology/incision.hpp"
 #include "dimensions.hpp"
-#include "facet_mates.hpp"
 #include "flood.hpp"
 #include "free_ids.hpp"
+#include "incision_memory.hpp"
 #include "make_room.hpp"
-#include "vertex_unions.hpp"
 
 namespace cleave::topology {
 namespace {
 
-/// Which vertices become one when opened facets of an incision are taken back. Classes of corners
-/// merge only across these facets: one that is shut joins no classes that were apart (T8).
+/// Fills `opened` with those of `facets` that an incision has opened.
+void find_opened(std::span<const HalfFacetId> facets, const std::vector<HalfFacetId>& mates,
+                 std::vector<detail::FacetMates>& opened) {
+  opened.clear();
+  for (const HalfFacetId h : facets) {
+    if (h.value >= mates.size()) continue;
+    if (const auto mate = detail::former_mate(mates, h); mate && h < *mate)
+      opened.push_back({h, *mate});
+  }
+}
+
+/// Which vertices become one when `facets` of an incision are taken back. Classes of corners merge
+/// only across these facets: one that is shut joins no classes that were apart (T8).
 template <int D>
-class Merging {
- public:
-  explicit Merging(const Incision<D>& incision) : incision_(incision) {}
-
-  /// Unites the vertices on the two sides of a facet.
-  void across(const detail::FacetMates& facet) {
-    const Complex<D>& k = incision_.complex();
-    Separated separated;
-    separated.fill(detail::kNone);
+void unite_across(const Incision<D>& incision, std::span<const detail::FacetMates> facets,
+                  detail::VertexUnions& unions) {
+  const Complex<D>& k = incision.complex();
+  const auto is_copy = [&](VertexId v) { return v.value >= incision.original_vertex_count(); };
+  const auto node = [&](VertexId v) { return unions.node(v, [&] { return *k.a_corner(v); }); };
+  unions.clear();
+  for (const detail::FacetMates& facet : facets) {
     const Facet<D> one = k.facet(facet.lesser), other = k.facet(facet.greater);
-    for (std::size_t i = 0; i < one.size(); ++i) {
-      const VertexId twin = counterpart(one[i], other);
-      if (twin == one[i]) continue;
-      separated[i] = unions_.node(one[i], *k.a_corner(one[i]));
-      unions_.unite(separated[i], unions_.node(twin, *k.a_corner(twin)));
+    for (const VertexId v : one) {
+      if (std::find(other.begin(), other.end(), v) != other.end()) continue;
+      const VertexId original = incision.original(v);
+      const VertexId twin = *std::find_if(
+          other.begin(), other.end(), [&](VertexId w) { return incision.original(w) == original; });
+      if (!is_copy(v))
+        unions.unite_with_original(node(twin), v);
+      else if (!is_copy(twin))
+        unions.unite_with_original(node(v), twin);
+      else
+        unions.unite(node(v), node(twin));
     }
-    separated_.push_back(separated);
   }
-
-  /// The vertices that cease to exist, ascending.
-  std::vector<Merge> merges() {
-    std::vector<Merge> merges;
-    for (Index n = 0; n < unions_.nodes().size(); ++n) {
-      const VertexId vertex = unions_.nodes()[n].vertex;
-      if (const VertexId stays = unions_.stays(n); stays != vertex)
-        merges.push_back({vertex, stays});
-    }
-    std::sort(merges.begin(), merges.end(),
-              [](const Merge& a, const Merge& b) { return a.vertex < b.vertex; });
-    return merges;
-  }
-
-  /// The least of the vertices that stay at which the n-th facet was separated.
-  VertexId was_separated_by(std::size_t n) {
-    VertexId least{detail::kNone};
-    for (const Index node : separated_[n])
-      if (node != detail::kNone) least = std::min(least, unions_.stays(node));
-    return least;
-  }
-
- private:
-  /// The vertex of the other side that is a copy of the same original.
-  VertexId counterpart(VertexId vertex, const Facet<D>& other) const {
-    if (std::find(other.begin(), other.end(), vertex) != other.end()) return vertex;
-    const VertexId original = incision_.original(vertex);
-    return *std::find_if(other.begin(), other.end(),
-                         [&](VertexId v) { return incision_.original(v) == original; });
-  }
-
-  /// For each vertex of a facet its node, or none if it has the same copy on both sides.
-  using Separated = std::array<Index, static_cast<std::size_t>(D)>;
-
-  const Incision<D>& incision_;
-  detail::VertexUnions unions_;
-  std::vector<Separated> separated_;  // of each facet
-};
-
-using FormerMates = std::unordered_map<HalfFacetId, HalfFacetId>;
-
-std::vector<detail::FacetMates> opened_among(const FacetSet& facets,
-                                             const FormerMates& former_mates) {
-  std::vector<detail::FacetMates> opened;
-  opened.reserve(std::min(facets.size(), former_mates.size()));
-  for (const HalfFacetId h : facets.half_facets()) {
-    const auto mate = former_mates.find(h);
-    if (mate != former_mates.end() && h < mate->second) opened.push_back({h, mate->second});
-  }
-  return opened;
 }
 
 /// One run of a stitch on the complex of an incision. The classes of corners that lose their vertex
-/// are flooded and renamed first, then the facets taken back get their mates again, and so do
-/// others that no vertex separates any more. Until the caller is content, `roll_back` gives the
-/// complex back as it was.
+/// are flooded and get provisional vertices, by which it is told which facets close: those taken
+/// back, and others that no vertex separates any more. Then the corners get their final vertices
+/// and these facets their mates. Until the caller is content, `roll_back` gives the complex back as
+/// it was.
 template <int D>
 class Stitching {
   using Access = detail::ComplexAccess<D>;
 
  public:
-  Stitching(Complex<D>& k, const Incision<D>& incision, const FormerMates& former_mates)
+  Stitching(Complex<D>& k, const Incision<D>& incision, detail::IncisionMemory<D>& memory,
+            Relabelling& change)
       : k_(k),
         incision_(incision),
-        former_mates_(former_mates),
+        memory_(memory),
+        change_(change),
         cells_(Access::cells(k)),
         mates_(Access::mates(k)),
-        old_vertex_count_(k.vertex_count()) {}
+        old_vertex_count_(static_cast<Index>(k.vertex_count())) {
+    change.clear(old_vertex_count_);
+    memory.corners.clear();
+    memory.others.clear();
+  }
 
-  Relabelling run(const std::vector<detail::FacetMates>& taken_back) {
-    Relabelling change;
-    change.vertices_before = old_vertex_count_;
-    Merging<D> merging(incision_);
-    for (const detail::FacetMates& facet : taken_back) merging.across(facet);
-    change.merges = merging.merges();
-    change.closed.reserve(taken_back.size());
-    for (std::size_t n = 0; n < taken_back.size(); ++n)
-      change.closed.push_back(
-          {taken_back[n].lesser, taken_back[n].greater, merging.was_separated_by(n)});
-    merged_.reserve(change.merges.size());
+  /// Takes the facets in memory.taken_back back.
+  void run() {
+    unite_across<D>(incision_, memory_.taken_back, memory_.unions);
+    memory_.unions.list_merges(change_.merges);
+    if (change_.merges.size() >= detail::kNone - old_vertex_count_)
+      throw std::length_error("the stitch needs more vertices than ids can number");
+    for (Index n = 0; n < change_.merges.size(); ++n) find_class(n);
+    std::sort(memory_.corners.begin(), memory_.corners.end());
+    change_.corners.reserve(memory_.corners.size());
+    for (const detail::FacetMates& facet : memory_.taken_back) detail::join(mates_, facet);
+    joined_ = true;
+    find_others();
+    list_closed();
 
-    rename(change);
-    for (const detail::FacetMates& facet : taken_back) close(facet);
-    close_others(change);
+    // Nothing below throws.
+    for (const OpenedFacet& facet : change_.closed)
+      detail::join(mates_, {facet.half_facet, facet.former_mate});
+    rename();
     free_vertices();
-    change.vertices_after = k_.vertex_count();
-    return change;
   }
 
   void roll_back() noexcept {
-    Access::resize_vertices(k_, old_vertex_count_);  // there is room for them still
-    for (const Class& c : merged_) {
-      Access::set_a_corner(k_, c.vertex, c.least);
-      for (std::size_t n = c.first; n < c.last; ++n) vertex(corners_[n]) = c.vertex;
+    if (joined_)
+      for (const detail::FacetMates& facet : memory_.taken_back) detail::sever(mates_, facet);
+    if (!renamed_) {
+      for (const CornerId corner : memory_.corners) vertex(corner) = before(vertex(corner));
+      return;
     }
-    for (const detail::FacetMates& facet : closed_) detail::sever(mates_, facet);
+    Access::resize_vertices(k_, old_vertex_count_);  // there is room for them still
+    for (const OpenedFacet& facet : change_.closed)
+      detail::sever(mates_, {facet.half_facet, facet.former_mate});
+    for (std::size_t n = change_.corners.size(); n-- > 0;) {  // at last, the least of each class
+      vertex(change_.corners[n].corner) = change_.corners[n].from;
+      Access::set_a_corner(k_, change_.corners[n].from, change_.corners[n].corner);
+    }
   }
 
  private:
-  /// Corners first .. last of corners_ had this vertex.
-  struct Class {
-    VertexId vertex;
-    CornerId least;
-    std::size_t first, last;
-  };
-
   VertexId& vertex(CornerId corner) {
     return cells_[cell_of<D>(corner).value][static_cast<std::size_t>(local_index<D>(corner))];
   }
 
-  void rename(Relabelling& change) {
-    for (const Merge& merge : change.merges) {
-      const CornerId start = *k_.a_corner(merge.vertex);
-      merged_.push_back({merge.vertex, start, corners_.size(), corners_.size()});
-      // A renamed corner is found no more by its old vertex, so each one reached is new.
-      detail::flood<D>(cells_, mates_, start, merge.vertex, corners_, [&](CornerId corner) {
-        vertex(corner) = merge.into;
-        merged_.back().last = corners_.size();
-        return true;
-      });
-    }
-    change.corners.reserve(corners_.size());
-    for (const Class& c : merged_)
-      for (std::size_t n = c.first; n < c.last; ++n)
-        change.corners.push_back({corners_[n], c.vertex, vertex(corners_[n])});
-    std::sort(change.corners.begin(), change.corners.end(),
-              [](const RenamedCorner& a, const RenamedCorner& b) { return a.corner < b.corner; });
+  /// Floods the class that the n-th merge is about.
+  void find_class(Index n) {
+    const VertexId gone = change_.merges[n].vertex, provisional{old_vertex_count_ + n};
+    detail::flood<D>(cells_, mates_, *k_.a_corner(gone), gone, memory_.corners,
+                     [&](CornerId corner) {
+                       // A visited corner is found no more by its old vertex.
+                       vertex(corner) = provisional;
+                       return true;
+                     });
   }
 
-  void close(const detail::FacetMates& facet) {
-    closed_.push_back(facet);
-    detail::join(mates_, facet);
+  /// The vertex before and after the stitch of a corner whose vertex is `v` now, maybe provisional.
+  VertexId before(VertexId v) const {
+    return v.value < old_vertex_count_ ? v : change_.merges[v.value - old_vertex_count_].vertex;
+  }
+  VertexId after(VertexId v) const {
+    return v.value < old_vertex_count_ ? v : change_.merges[v.value - old_vertex_count_].into;
   }
 
-  /// Facets that are scored still, and that no vertex separates any more. One of their corners has
-  /// been renamed.
-  void close_others(Relabelling& change) {
-    const std::size_t taken_back = closed_.size();
-    for (std::size_t n = 0; n < change.corners.size(); ++n) {
-      const CellId cell = cell_of<D>(change.corners[n].corner);
-      if (n != 0 && cell == cell_of<D>(change.corners[n - 1].corner)) continue;  // looked at
+  /// Facets at a renamed corner that are open still: of all others, only these may close.
+  void find_others() {
+    CellId last{detail::kNone};
+    for (const CornerId corner : memory_.corners) {
+      const CellId cell = cell_of<D>(corner);
+      if (cell == last) continue;
+      last = cell;
       for (int i = 0; i <= D; ++i) {
-        const HalfFacetId h = half_facet<D>(cell, i);
-        if (detail::is_mate(mates_[h.value])) continue;
-        const auto former = former_mates_.find(h);
-        if (former == former_mates_.end() || !same_vertices(h, former->second)) continue;
-        close({std::min(h, former->second), std::max(h, former->second)});
+        const auto h = half_facet<D>(cell, i);
+        if (const auto mate = detail::former_mate(mates_, h))
+          memory_.others.push_back({std::min(h, *mate), std::max(h, *mate)});
       }
     }
-    for (std::size_t n = taken_back; n < closed_.size(); ++n) {
-      const auto [lesser, greater] = closed_[n];
-      change.closed.push_back({lesser, greater, was_separated_by(closed_[n], change)});
-      change.shut.push_back(lesser);
-    }
-    std::sort(
-        change.closed.begin(), change.closed.end(),
-        [](const OpenedFacet& a, const OpenedFacet& b) { return a.half_facet < b.half_facet; });
-    std::sort(change.shut.begin(), change.shut.end());
   }
 
-  bool same_vertices(HalfFacetId one, HalfFacetId other) const {
-    const Facet<D> a = k_.facet(one), b = k_.facet(other);
-    return std::all_of(a.begin(), a.end(),
-                       [&](VertexId v) { return std::find(b.begin(), b.end(), v) != b.end(); });
-  }
-
-  /// The least vertex of a facet that had different corners before.
-  VertexId was_separated_by(const detail::FacetMates& facet, const Relabelling& change) const {
-    const auto before = [&](CellId cell, VertexId v) {
-      const CornerId corner = *detail::corner_at<D>(cells_, cell, v);
-      const auto at = std::lower_bound(
-          change.corners.begin(), change.corners.end(), corner,
-          [](const RenamedCorner& renamed, CornerId c) { return renamed.corner < c; });
-      return at != change.corners.end() && at->corner == corner ? at->from : v;
-    };
+  /// The least vertex that a facet has on both sides after the stitch, but not before; none if it
+  /// has a vertex that stays separated.
+  VertexId joined_by(const detail::FacetMates& facet) const {
     VertexId least{detail::kNone};
-    for (const VertexId v : k_.facet(facet.lesser))
-      if (before(cell_of<D>(facet.lesser), v) != before(cell_of<D>(facet.greater), v))
-        least = std::min(least, v);
+    const Facet<D> one = k_.facet(facet.lesser), other = k_.facet(facet.greater);
+    for (const VertexId v : one) {
+      const VertexId joined = after(v);
+      const auto twin =
+          std::find_if(other.begin(), other.end(), [&](VertexId w) { return after(w) == joined; });
+      if (twin == other.end()) return {detail::kNone};
+      if (before(*twin) != before(v)) least = std::min(least, joined);
+    }
     return least;
   }
 
+  void list_closed() {
+    change_.closed.reserve(memory_.taken_back.size() + memory_.others.size());
+    for (const detail::FacetMates& facet : memory_.taken_back)
+      change_.closed.push_back({facet.lesser, facet.greater, joined_by(facet)});
+
+    const auto by_lesser = [](const auto& a, const auto& b) { return a.lesser < b.lesser; };
+    std::vector<detail::FacetMates>& others = memory_.others;
+    std::sort(others.begin(), others.end(), by_lesser);
+    change_.shut.reserve(others.size());
+    HalfFacetId last{detail::kNone};
+    for (const detail::FacetMates& facet : others) {
+      if (facet.lesser == last) continue;
+      last = facet.lesser;
+      const VertexId by = joined_by(facet);
+      if (by.value == detail::kNone) continue;
+      change_.closed.push_back({facet.lesser, facet.greater, by});
+      change_.shut.push_back(facet.lesser);
+    }
+    if (change_.shut.empty()) return;
+    std::sort(
+        change_.closed.begin(), change_.closed.end(),
+        [](const OpenedFacet& a, const OpenedFacet& b) { return a.half_facet < b.half_facet; });
+  }
+
+  void rename() {
+    for (const CornerId corner : memory_.corners) {
+      VertexId& v = vertex(corner);
+      change_.corners.push_back({corner, before(v), after(v)});
+      v = after(v);
+    }
+    renamed_ = true;
+  }
+
   void free_vertices() {
-    for (const Class& c : merged_) Access::set_a_corner(k_, c.vertex, CornerId{detail::kNone});
+    for (const Merge& merge : change_.merges)
+      Access::set_a_corner(k_, merge.vertex, CornerId{detail::kNone});
     std::size_t bound = old_vertex_count_;
     while (bound > incision_.original_vertex_count() &&
            !k_.a_corner({static_cast<Index>(bound - 1)}))
       --bound;
     Access::resize_vertices(k_, bound);
+    change_.vertices_after = bound;
   }
 
   Complex<D>& k_;
   const Incision<D>& incision_;
-  const FormerMates& former_mates_;
+  detail::IncisionMemory<D>& memory_;
+  Relabelling& change_;
   std::vector<Cell<D>>& cells_;
   std::vector<HalfFacetId>& mates_;
-  const std::size_t old_vertex_count_;
-  std::vector<Class> merged_;
-  std::vector<CornerId> corners_;  // of all merged classes, one after the other
-  std::vector<detail::FacetMates> closed_;
+  const Index old_vertex_count_;
+  bool joined_ = false, renamed_ = false;  // how far the run has come
 };
 
 }  // namespace
 
 template <int D>
 std::vector<Merge> Incision<D>::planned_merges(const FacetSet& facets) const {
-  Merging<D> merging(*this);
-  for (const detail::FacetMates& facet : opened_among(facets, former_mates_)) merging.across(facet);
-  return merging.merges();
+  std::vector<detail::FacetMates> opened;
+  find_opened(facets.half_facets(), detail::ComplexAccess<D>::mates(complex_), opened);
+  detail::VertexUnions unions;
+  unite_across<D>(*this, opened, unions);
+  std::vector<Merge> merges;
+  unions.list_merges(merges);
+  return merges;
 }
 
 template <int D>
-Relabelling Incision<D>::take_back(const FacetSet& facets, Verify verify) {
-  Stitching<D> stitching(complex_, *this, former_mates_);
-  Relabelling change;
-  FacetSet shut;
+void Incision<D>::take_back(std::span<const HalfFacetId> facets, Relabelling& change,
+                            Verify verify) {
+  Memory& memory = memory_.get();
+  find_opened(facets, detail::ComplexAccess<D>::mates(complex_), memory.taken_back);
+  Stitching<D> stitching(complex_, *this, memory, change);
   try {
-    change = stitching.run(opened_among(facets, former_mates_));
-    const FacetSet closed_others = FacetSet::of_lesser(change.shut);
-    if (verify != Verify::none) verify_touched(complex_, closed_others, change);
+    stitching.run();
+    detail::refill(memory.cut, [&](auto& shut) { shut = change.shut; });
+    if (verify != Verify::none) verify_touched(complex_, memory.cut, change);
     if (verify == Verify::all) verify_all(complex_);
-    shut = (shut_ - facets) | closed_others;
+    detail::refill(memory.shut, [&](std::vector<HalfFacetId>& shut) {
+      const auto before = shut_.half_facets();
+      std::set_difference(before.begin(), before.end(), facets.begin(), facets.end(),
+                          std::back_inserter(shut));
+      shut.insert(shut.end(), change.shut.begin(), change.shut.end());
+    });
     detail::make_room(free_, change.merges.size());
   } catch (...) {
     stitching.roll_back();
     throw;
   }
   // Nothing below throws.
-  shut_ = std::move(shut);
-  for (const OpenedFacet& facet : change.closed) {
-    former_mates_.erase(facet.half_facet);
-    former_mates_.erase(facet.former_mate);
-  }
+  std::swap(shut_, memory.shut);
   for (const Merge& merge : change.merges)
     if (merge.vertex.value < change.vertices_after) detail::set_free(free_, merge.vertex);
   original_of_copy_.resize(change.vertices_after - original_vertex_count_);
-  return change;
 }
 
 template <int D>
 Relabelling Incision<D>::stitch(const FacetSet& facets, Verify verify) {
-  std::vector<HalfFacetId> scored;
-  for (const HalfFacetId h : facets.half_facets()) {
-    const auto mate = former_mates_.find(h);
-    if (mate != former_mates_.end() ? h < mate->second : shut_.contains(h)) scored.push_back(h);
-  }
-  Step step{FacetSet::of_lesser(std::move(scored)), false};
-  detail::make_room(done_, 1);
-  Relabelling change = take_back(step.facets, verify);
-  record(std::move(step));
+  Relabelling change;
+  stitch(facets, change, verify);
   return change;
 }
 
-#define CLEAVE_INSTANTIATE(D)                                                     \
-  template std::vector<Merge> Incision<D>::planned_merges(const FacetSet&) const; \
-  template Relabelling Incision<D>::take_back(const FacetSet&, Verify);           \
-  template Relabelling Incision<D>::stitch(const FacetSet&, Verify);
+template <int D>
+void Incision<D>::stitch(const FacetSet& facets, Relabelling& change, Verify verify) {
+  const auto& mates = detail::ComplexAccess<D>::mates(complex_);
+  std::vector<HalfFacetId>& scored = memory_.get().asked;
+  scored.clear();
+  for (const HalfFacetId h : facets.half_facets()) {
+    if (h.value >= mates.size()) continue;
+    const auto mate = detail::former_mate(mates, h);
+    if (mate ? h < *mate : shut_.contains(h)) scored.push_back(h);
+  }
+  done_.make_room(scored.size());
+  take_back(scored, change, verify);
+  record(scored, false);
+}
+
+#define CLEAVE_INSTANTIATE(D)                                                               \
+  template std::vector<Merge> Incision<D>::planned_merges(const FacetSet&) const;           \
+  template void Incision<D>::take_back(std::span<const HalfFacetId>, Relabelling&, Verify); \
+  template Relabelling Incision<D>::stitch(const FacetSet&, Verify);                        \
+  template void Incision<D>::stitch(const FacetSet&, Relabelling&, Verify);
 CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
 

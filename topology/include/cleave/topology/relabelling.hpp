@@ -47,6 +47,10 @@ struct Relabelling {
   std::vector<HalfFacetId>
       shut;  // scored facets that are interior: the lesser half-facets, ascending
 
+  /// Says that nothing changes, in a complex whose vertex ids are below `vertices`. Keeps the
+  /// memory.
+  void clear(std::size_t vertices = 0);
+
   /// The vertex that `vertex` copies, or `vertex` itself if it is no copy made by this change.
   VertexId parent(VertexId vertex) const;
 
