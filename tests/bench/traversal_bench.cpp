@@ -29,9 +29,11 @@ void neighbours(benchmark::State& state) {
   for (auto _ : state) {
     std::uint64_t sum = 0, flat_sum = 0;
     turns.ours.push_back(seconds([&] {
-      const auto half_facets = static_cast<Index>(whole.complex.half_facet_count());
-      for (Index h = 0; h < half_facets; ++h)
-        if (const auto mate = whole.complex.mate(HalfFacetId{h})) sum += cell_of<3>(*mate).value;
+      const auto cells = static_cast<Index>(whole.complex.cell_count());
+      for (Index c = 0; c < cells; ++c)
+        for (int i = 0; i < 4; ++i)
+          if (const auto mate = whole.complex.mate(half_facet<3>(CellId{c}, i)))
+            sum += cell_of<3>(*mate).value;
     }));
     turns.flat.push_back(seconds([&] {
       for (const std::uint32_t mate : whole.flat.mates)

@@ -61,8 +61,8 @@ class Complex {
   /// The same facet seen from the other cell; none on the boundary. mate(*mate(h)) == h.
   std::optional<HalfFacetId> mate(HalfFacetId h) const {
     assert(h.value < mates_.size());
-    const HalfFacetId m = mates_[h.value];
-    if (!detail::is_mate(m)) return std::nullopt;
+    std::optional<HalfFacetId> m(mates_[h.value]);  // so that g++ keeps it in registers
+    if (!detail::is_mate(*m)) m.reset();
     return m;
   }
 
