@@ -6,8 +6,8 @@
 #include "cleave/topology/check.hpp"
 #include "dimensions.hpp"
 #include "facet_matching.hpp"
-#include "parts.hpp"
 #include "soundness.hpp"
+#include "star_pass.hpp"
 
 namespace cleave::topology {
 namespace {
@@ -37,15 +37,11 @@ bool coherent(const CellSoup<D>& soup, const std::vector<HalfFacetId>& mates) {
   return true;
 }
 
-/// Gives every part but the first of each star a vertex of its own.
+/// Gives every part but the first of each star a vertex of its own, in the order of `surplus`.
 template <int D>
 std::vector<Split> split_parts(std::vector<Cell<D>>& cells, const std::vector<HalfFacetId>& mates,
-                               std::vector<detail::VertexPart> surplus,
+                               const std::vector<detail::VertexPart>& surplus,
                                std::vector<CornerId>& a_corner) {
-  std::sort(surplus.begin(), surplus.end(),
-            [](const detail::VertexPart& a, const detail::VertexPart& b) {
-              return a.vertex != b.vertex ? a.vertex < b.vertex : a.least < b.least;
-            });
   std::vector<Split> splits;
   std::vector<CornerId> part;
   for (const detail::VertexPart& s : surplus) {
@@ -70,19 +66,10 @@ Regularized<D> build(CellSoup<D> soup, bool regularize) {
   if (!matching.crowded.empty() || !matching.duplicates.empty() || !coherent(soup, matching.mates))
     throw InvalidComplex(hindrances(soup));
 
-  std::vector<CornerId> a_corner(soup.vertex_count, CornerId{detail::kNone});
-  std::vector<detail::VertexPart> surplus;
-  for (const detail::VertexPart& part : detail::vertex_parts<D>(soup.cells, matching.mates)) {
-    CornerId& first = a_corner[part.vertex.value];
-    if (first.value == detail::kNone)
-      first = part.least;
-    else
-      surplus.push_back(part);
-  }
+  auto [a_corner, surplus] = detail::star_pass<D>(soup.cells, matching.mates, soup.vertex_count);
   if (!surplus.empty() && !regularize) throw InvalidComplex(hindrances(soup));
   require_ids_suffice(D, soup.cells.size(), soup.vertex_count + surplus.size());
-  std::vector<Split> splits =
-      split_parts<D>(soup.cells, matching.mates, std::move(surplus), a_corner);
+  std::vector<Split> splits = split_parts<D>(soup.cells, matching.mates, surplus, a_corner);
   std::vector<bool> reversed(soup.cells.size(), false);
   for (std::size_t c = 0; c < soup.signs.size(); ++c) reversed[c] = soup.signs[c] < 0;
   return {detail::ComplexAccess<D>::make(std::move(soup.cells), std::move(matching.mates),

@@ -1,15 +1,14 @@
 #include "cleave/topology/check.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "dimensions.hpp"
 #include "facet_matching.hpp"
 #include "orientation.hpp"
-#include "parts.hpp"
 #include "soundness.hpp"
 #include "star_levels.hpp"
+#include "star_pass.hpp"
 
 namespace cleave::topology {
 namespace {
@@ -37,22 +36,17 @@ std::vector<VertexId> find_irregular_vertices(std::span<const Cell<D>> cells,
                                               const std::vector<HalfFacetId>& mates,
                                               std::size_t vertex_count,
                                               std::vector<Violation>& found) {
-  std::vector<CornerId> first(vertex_count, CornerId{detail::kNone});
-  std::map<VertexId, NotCutRegular> irregular;
-  for (const detail::VertexPart& part : detail::vertex_parts<D>(cells, mates)) {
-    CornerId& known = first[part.vertex.value];
-    if (known.value == detail::kNone) {
-      known = part.least;
-      continue;
-    }
-    const auto entry = irregular.try_emplace(
-        part.vertex, NotCutRegular{part.vertex, cell_of<D>(known), cell_of<D>(part.least), 1});
-    ++entry.first->second.parts;
-  }
+  const detail::Stars stars = detail::star_pass<D>(cells, mates, vertex_count);
   std::vector<VertexId> vertices;
-  for (const auto& [vertex, violation] : irregular) {
-    vertices.push_back(vertex);
-    found.push_back(violation);
+  for (auto first = stars.surplus.begin(); first != stars.surplus.end();) {
+    const auto last = std::find_if(first, stars.surplus.end(), [&](const detail::VertexPart& part) {
+      return part.vertex != first->vertex;
+    });
+    found.push_back(NotCutRegular{first->vertex, cell_of<D>(stars.a_corner[first->vertex.value]),
+                                  cell_of<D>(first->least),
+                                  static_cast<std::size_t>(last - first) + 1});
+    vertices.push_back(first->vertex);
+    first = last;
   }
   return vertices;
 }
