@@ -58,13 +58,6 @@ Simplices<D>::Simplices(const Complex<D>& k, int simplex_dimension) : k_(simplex
 }
 
 template <int D>
-std::span<const VertexId> Simplices<D>::operator[](std::size_t i) const {
-  assert(i < count());
-  const std::size_t size = static_cast<std::size_t>(k_) + 1;
-  return std::span(vertices_).subspan(i * size, size);
-}
-
-template <int D>
 auto Simplices<D>::find(std::span<const VertexId> tuple) const -> std::optional<Found> {
   if (tuple.size() != static_cast<std::size_t>(k_) + 1) return std::nullopt;
   Cell<D> buffer{};
@@ -85,12 +78,6 @@ auto Simplices<D>::find(std::span<const VertexId> tuple) const -> std::optional<
   const auto simplex = (*this)[first];
   if (!std::equal(wanted.begin(), wanted.end(), simplex.begin())) return std::nullopt;
   return Found{first, parity, star(first).front()};
-}
-
-template <int D>
-std::span<const CellId> Simplices<D>::star(std::size_t i) const {
-  assert(i < count());
-  return std::span(cells_).subspan(offsets_[i], offsets_[i + 1] - offsets_[i]);
 }
 
 namespace {

@@ -68,6 +68,11 @@ class Complex {
 
   bool is_interior(HalfFacetId h) const { return mate(h).has_value(); }
 
+  /// The mates of all half-facets, as they lie in memory. A value that is not below
+  /// half_facet_count() is no mate: the half-facet is on the boundary.
+  std::span<const HalfFacetId> mates() const& { return mates_; }
+  std::span<const HalfFacetId> mates() && = delete;  // of a temporary
+
   /// +1 if the orientation of `cell` is that of its tuple, -1 if it is the reverse.
   int sign(CellId cell) const {
     assert(cell.value < cells_.size());

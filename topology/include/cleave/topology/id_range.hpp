@@ -3,20 +3,26 @@
 #include <boost/property_map/property_map.hpp>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 #include "cleave/topology/ids.hpp"
 
-/// Ids as the Boost Graph Library wants them: iterators, and a property map to their numbers.
+/// Ids as ranges, and as the Boost Graph Library wants them: iterators, and a property map to their
+/// numbers.
 namespace cleave::topology {
 
-/// Counts through ids; a random-access iterator that makes its values.
+/// Counts through ids; a random-access iterator, for std::ranges too, that makes its values.
 template <class AnId>
 class IdIterator : public boost::iterator_facade<IdIterator<AnId>, AnId,
                                                  boost::random_access_traversal_tag, AnId> {
  public:
+  using iterator_concept = std::random_access_iterator_tag;
+
   IdIterator() = default;
   explicit IdIterator(AnId id) : id_(id) {}
+
+  AnId operator[](std::ptrdiff_t n) const { return {static_cast<Index>(id_.value + n)}; }
 
  private:
   friend class boost::iterator_core_access;

@@ -1,6 +1,9 @@
 #pragma once
+#include <boost/iterator/iterator_facade.hpp>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,9 +12,38 @@
 
 namespace cleave::topology {
 
+/// Goes through simplices with the same number of vertices; a random-access iterator, for
+/// std::ranges too, that makes its values: spans of their vertices.
+class SimplexIterator
+    : public boost::iterator_facade<SimplexIterator, std::span<const VertexId>,
+                                    boost::random_access_traversal_tag, std::span<const VertexId>> {
+ public:
+  using iterator_concept = std::random_access_iterator_tag;
+
+  SimplexIterator() = default;
+  SimplexIterator(const VertexId* first, std::size_t size) : first_(first), size_(size) {}
+
+  std::span<const VertexId> operator[](std::ptrdiff_t n) const { return *(*this + n); }
+
+ private:
+  friend class boost::iterator_core_access;
+  std::span<const VertexId> dereference() const { return {first_, size_}; }
+  bool equal(const SimplexIterator& other) const { return first_ == other.first_; }
+  void increment() { first_ += size_; }
+  void decrement() { first_ -= size_; }
+  void advance(std::ptrdiff_t n) { first_ += n * static_cast<std::ptrdiff_t>(size_); }
+  std::ptrdiff_t distance_to(const SimplexIterator& other) const {
+    return (other.first_ - first_) / static_cast<std::ptrdiff_t>(size_);
+  }
+
+  const VertexId* first_ = nullptr;
+  std::size_t size_ = 1;
+};
+
 /// The k-simplices of a complex, 0 <= k <= D, built on demand: every non-empty subset of a cell
 /// with k+1 vertices, once. A snapshot: it does not follow later cuts. Simplices are numbered in
-/// lexicographic order of their ascending vertices. Spans refer to it and live as long.
+/// lexicographic order of their ascending vertices. Spans refer to it and live as long. Models
+/// std::ranges::random_access_range: a loop goes through the spans.
 template <int D>
 class Simplices {
  public:
@@ -24,7 +56,16 @@ class Simplices {
   std::size_t count() const { return offsets_.empty() ? 0 : offsets_.size() - 1; }
 
   /// The k+1 vertices of simplex `i`, ascending.
-  std::span<const VertexId> operator[](std::size_t i) const;
+  std::span<const VertexId> operator[](std::size_t i) const {
+    assert(i < count());
+    return begin()[static_cast<std::ptrdiff_t>(i)];
+  }
+
+  std::size_t size() const { return count(); }
+  SimplexIterator begin() const { return {vertices_.data(), vertices_per_simplex()}; }
+  SimplexIterator end() const {
+    return {vertices_.data() + vertices_.size(), vertices_per_simplex()};
+  }
 
   /// An oriented simplex found: its number, the parity of the tuple asked for relative to ascending
   /// order (+1 even, -1 odd), and a cell that has it.
@@ -40,9 +81,14 @@ class Simplices {
   bool contains(std::span<const VertexId> tuple) const { return find(tuple).has_value(); }
 
   /// The cells around simplex `i`, ascending.
-  std::span<const CellId> star(std::size_t i) const;
+  std::span<const CellId> star(std::size_t i) const {
+    assert(i < count());
+    return std::span(cells_).subspan(offsets_[i], offsets_[i + 1] - offsets_[i]);
+  }
 
  private:
+  std::size_t vertices_per_simplex() const { return static_cast<std::size_t>(k_) + 1; }
+
   int k_;
   std::vector<VertexId> vertices_;  // k+1 per simplex
   std::vector<Index> offsets_;      // into cells_, one more than simplices
