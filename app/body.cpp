@@ -24,7 +24,7 @@ CellSoup<D> soup_of(const Mesh& mesh) {
   CellSoup<D> soup;
   soup.vertex_count = mesh.points.size();
   soup.cells.resize(mesh.cells().size());
-  const std::uint32_t* vertex = mesh.cells().vertices.data();
+  const Index* vertex = mesh.cells().vertices.data();
   for (auto& cell : soup.cells)
     for (VertexId& v : cell) v = {*vertex++};
   return soup;
@@ -74,8 +74,8 @@ void require_finite(const Mesh& mesh) {
 
 // D! times the signed volume of a cell, in double precision: enough for a sum over a piece.
 template <int D>
-double signed_volume(const Mesh& mesh, std::uint32_t cell) {
-  const std::uint32_t* vertex = &mesh.cells().vertices[static_cast<std::size_t>(D + 1) * cell];
+double signed_volume(const Mesh& mesh, Index cell) {
+  const Index* vertex = &mesh.cells().vertices[static_cast<std::size_t>(D + 1) * cell];
   const auto& origin = mesh.points[vertex[0]];
   std::array<std::array<double, 3>, 3> e{};
   for (std::size_t i = 0; i < static_cast<std::size_t>(D); ++i)
@@ -92,10 +92,10 @@ bool turn_over(const Mesh& mesh, const topology::Complex<D>& k, std::vector<std:
   if (D == 1 || (D == 2 && !is_planar(mesh))) return false;
   const auto pieces = topology::pieces(k);
   std::vector<double> volume(pieces.count);
-  for (std::uint32_t c = 0; c < signs.size(); ++c)
+  for (Index c = 0; c < signs.size(); ++c)
     volume[pieces.of_cell[c]] += signs[c] * signed_volume<D>(mesh, c);
   bool any = false;
-  for (std::uint32_t c = 0; c < signs.size(); ++c) {
+  for (Index c = 0; c < signs.size(); ++c) {
     if (!(volume[pieces.of_cell[c]] < 0)) continue;
     signs[c] = static_cast<std::int8_t>(-signs[c]);
     any = true;
@@ -141,13 +141,13 @@ std::vector<std::array<double, static_cast<std::size_t>(D)>> points_of(const Bod
                      ": the triangles do not lie in a plane z = constant, so nothing "
                      "can be swept through them; name facets instead (--facets, --group)");
   std::vector<std::array<double, static_cast<std::size_t>(D)>> points(body.complex.vertex_count());
-  for (std::uint32_t v = 0; v < points.size(); ++v)
+  for (Index v = 0; v < points.size(); ++v)
     std::copy_n(mesh.points[body.place({v})].begin(), D, points[v].begin());
   return points;
 }
 
 template <int D>
-std::vector<HalfFacetId> locate(const Mesh& mesh, std::span<const std::uint32_t> facets,
+std::vector<HalfFacetId> locate(const Mesh& mesh, std::span<const Index> facets,
                                 const std::string& asked_by) {
   std::vector<topology::Facet<D>> tuples(facets.size() / D);
   for (std::size_t i = 0; i < facets.size(); ++i) tuples[i / D][i % D] = {facets[i]};
@@ -193,23 +193,23 @@ const Group& facet_group(const Mesh& mesh, const std::string& name) {
       names.empty() ? "the file has no facet groups" : "the facet groups are: " + names));
 }
 
-std::vector<std::uint32_t> vertices_of(const Mesh& mesh, const Group& group) {
+std::vector<Index> vertices_of(const Mesh& mesh, const Group& group) {
   const auto& elements = mesh.elements[static_cast<std::size_t>(group.dimension)];
   const auto corners = static_cast<std::size_t>(group.dimension) + 1;
-  std::vector<std::uint32_t> vertices;
+  std::vector<Index> vertices;
   vertices.reserve(corners * group.elements.size());
-  for (const std::uint32_t e : group.elements)
+  for (const Index e : group.elements)
     for (std::size_t i = 0; i < corners; ++i)
       vertices.push_back(elements.vertices[corners * e + i]);
   return vertices;
 }
 
-#define CLEAVE_INSTANTIATE(D)                                                              \
-  template CellSoup<D> soup_of<D>(const Mesh&);                                            \
-  template Body<D> make_body<D>(const Mesh&);                                              \
-  template std::vector<std::array<double, D>> points_of<D>(const Body<D>&);                \
-  template std::vector<HalfFacetId> locate<D>(const Mesh&, std::span<const std::uint32_t>, \
-                                              const std::string&);                         \
+#define CLEAVE_INSTANTIATE(D)                                                      \
+  template CellSoup<D> soup_of<D>(const Mesh&);                                    \
+  template Body<D> make_body<D>(const Mesh&);                                      \
+  template std::vector<std::array<double, D>> points_of<D>(const Body<D>&);        \
+  template std::vector<HalfFacetId> locate<D>(const Mesh&, std::span<const Index>, \
+                                              const std::string&);                 \
   template SortedOut sort_out<D>(const topology::Complex<D>&, std::span<const HalfFacetId>);
 CLEAVE_INSTANTIATE(1)
 CLEAVE_INSTANTIATE(2)

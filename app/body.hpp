@@ -28,7 +28,7 @@ struct Body {
   std::vector<topology::Split> regularized;  // ascending; empty: the file was cut-regular
 
   /// The place in mesh->points of a vertex of `complex` as it was made.
-  std::uint32_t place(topology::VertexId vertex) const {
+  Index place(topology::VertexId vertex) const {
     const std::size_t original = mesh->points.size();
     return vertex.value < original ? vertex.value
                                    : regularized[vertex.value - original].parent.value;
@@ -61,12 +61,11 @@ std::vector<std::array<double, static_cast<std::size_t>(D)>> points_of(const Bod
 /// a facet of no cell, naming it by the file's numbers; `asked_by` says who asked for it in that
 /// message ("group \"fault\"", "facets.json"). Time: linear in the cells and facets.
 template <int D>
-std::vector<topology::HalfFacetId> locate(const Mesh& mesh, std::span<const std::uint32_t> facets,
+std::vector<topology::HalfFacetId> locate(const Mesh& mesh, std::span<const Index> facets,
                                           const std::string& asked_by);
 
 template <int D>
-std::vector<topology::HalfFacetId> locate(const Body<D>& body,
-                                          std::span<const std::uint32_t> facets,
+std::vector<topology::HalfFacetId> locate(const Body<D>& body, std::span<const Index> facets,
                                           const std::string& asked_by) {
   return locate<D>(*body.mesh, facets, asked_by);
 }
@@ -84,6 +83,6 @@ SortedOut sort_out(const topology::Complex<D>& k, std::span<const topology::Half
 const Group& facet_group(const Mesh& mesh, const std::string& name);
 
 /// The vertices of a group's elements: dimension+1 places in mesh.points per element.
-std::vector<std::uint32_t> vertices_of(const Mesh& mesh, const Group& group);
+std::vector<Index> vertices_of(const Mesh& mesh, const Group& group);
 
 }  // namespace cleave::app

@@ -12,6 +12,9 @@
 namespace cleave::app {
 
 struct Certificate {
+  /// Vertices are numbers up to this one, however many bits ids have.
+  static constexpr std::uint32_t kGreatest = 4294967295;
+
   int dimension = 0;
   std::vector<std::uint32_t> before, after;  // dimension+1 vertices per cell
   std::vector<std::uint32_t> cut;            // dimension vertices per facet

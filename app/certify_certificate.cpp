@@ -45,7 +45,7 @@ template <int D>
 std::vector<Side<D>> sides_of(const std::vector<Cell<D>>& cells, const CertificateFile& file) {
   std::vector<Side<D>> sides;
   sides.reserve(cells.size() * (D + 1));
-  for (std::uint32_t c = 0; c < cells.size(); ++c) {
+  for (topology::Index c = 0; c < cells.size(); ++c) {
     Cell<D> sorted = cells[c];
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());

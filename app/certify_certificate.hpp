@@ -13,7 +13,7 @@ namespace cleave::app {
 struct CertificateRejection {
   /// A corner that shows it: the position of a cell, from 0, and its vertex in either list.
   struct Corner {
-    std::uint32_t cell, before, after;
+    topology::Index cell, before, after;
   };
   topology::Rejection::Clause clause{};
   std::array<Corner, 2> corners{};  // nothing for the clause `cells`

@@ -15,7 +15,7 @@ namespace {
 // right, since quadrangles are positive when the plus side is on the left of the first two.
 template <int D>
 struct Face {
-  std::array<std::uint32_t, static_cast<std::size_t>(D)> file{}, now{};
+  std::array<Index, static_cast<std::size_t>(D)> file{}, now{};
 };
 
 template <int D>
@@ -49,7 +49,7 @@ void add_cohesive(const Body<D>& body, CutOutput& output) {
     const auto minus = face(body, output.mesh, side.minus);
     const auto plus = face(body, output.mesh, *body.complex.mate(side.minus));
     cohesive.vertices.insert(cohesive.vertices.end(), minus.now.begin(), minus.now.end());
-    for (const std::uint32_t place : minus.file) {
+    for (const Index place : minus.file) {
       const auto at = std::find(plus.file.begin(), plus.file.end(), place) - plus.file.begin();
       cohesive.vertices.push_back(plus.now[static_cast<std::size_t>(at)]);
     }

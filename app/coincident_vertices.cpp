@@ -16,16 +16,16 @@
 namespace cleave::app {
 namespace {
 
-using Places = std::vector<std::uint32_t>;
+using Places = std::vector<Index>;
 
 // Places that cells use and that have finite coordinates, ascending.
 Places used_places(const Mesh& mesh) {
   std::vector<bool> used(mesh.points.size(), false);
-  for (const std::uint32_t place : mesh.cells().vertices) used[place] = true;
-  for (const std::uint32_t place : mesh.cells().midside)
+  for (const Index place : mesh.cells().vertices) used[place] = true;
+  for (const Index place : mesh.cells().midside)
     if (place < used.size()) used[place] = true;  // else: a node that is missing
   Places places;
-  for (std::uint32_t place = 0; place < used.size(); ++place) {
+  for (Index place = 0; place < used.size(); ++place) {
     const auto& p = mesh.points[place];
     if (used[place] && std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))
       places.push_back(place);
@@ -42,7 +42,7 @@ class Intent {
     if (origin_.empty()) read_record_of(mesh);
     mark_sides(mesh);
     in_cohesive_.assign(mesh.points.size(), false);
-    for (const std::uint32_t place : mesh.cohesive.vertices) in_cohesive_[place] = true;
+    for (const Index place : mesh.cohesive.vertices) in_cohesive_[place] = true;
   }
 
   /// Why these vertices are meant to be separate; empty: nothing says so.
@@ -50,11 +50,10 @@ class Intent {
     const auto all = [&](const auto& holds) {
       return std::all_of(places.begin(), places.end(), holds);
     };
-    if (!origin_.empty() &&
-        all([&](std::uint32_t p) { return origin_[p] == origin_[places.front()]; }))
+    if (!origin_.empty() && all([&](Index p) { return origin_[p] == origin_[places.front()]; }))
       return "copies of one vertex that a cut made";
-    if (all([&](std::uint32_t p) { return in_cohesive_[p]; })) return "joined by cohesive elements";
-    if (all([&](std::uint32_t p) { return side_[p] != nullptr; }))
+    if (all([&](Index p) { return in_cohesive_[p]; })) return "joined by cohesive elements";
+    if (all([&](Index p) { return side_[p] != nullptr; }))
       return "on the sides of the cut " + *side_[places.front()];
     return {};
   }
@@ -87,8 +86,7 @@ class Intent {
       if (groups.size() != 2) continue;
       names_.push_back(std::make_unique<std::string>(name));
       for (const Group* group : groups)
-        for (const std::uint32_t place : vertices_of(mesh, *group))
-          side_[place] = names_.back().get();
+        for (const Index place : vertices_of(mesh, *group)) side_[place] = names_.back().get();
     }
   }
 
@@ -101,7 +99,7 @@ class Intent {
 Finding finding_of(const Mesh& mesh, const Places& places, const std::string& reason) {
   std::vector<std::uint64_t> vertices;
   double distance = 0;
-  for (const std::uint32_t place : places) {
+  for (const Index place : places) {
     vertices.push_back(mesh.vertex_numbers[place]);
     const auto &a = mesh.points[places.front()], &b = mesh.points[place];
     distance = std::max(distance, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));

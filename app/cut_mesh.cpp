@@ -47,9 +47,9 @@ void report_regularized(const Body<D>& body, const CutOptions& options, CutResul
 template <int D>
 std::vector<cutting::Point<D>> rest_points(const CutState<D>& state) {
   auto points = points_of(state.body);
-  const auto originals = static_cast<std::uint32_t>(points.size());
+  const auto originals = static_cast<Index>(points.size());
   points.resize(state.incision.complex().vertex_count());
-  for (std::uint32_t v = originals; v < points.size(); ++v)
+  for (Index v = originals; v < points.size(); ++v)
     if (state.incision.complex().a_corner(VertexId{v}))
       points[v] = points[state.incision.original(VertexId{v}).value];
   return points;
@@ -176,7 +176,7 @@ template <int D>
 void require_level(const CutOptions& options, const CutState<D>& state, const Mesh& out) {
   if (!options.require) return;
   auto soup = soup_of<D>(out);
-  for (std::uint32_t c = 0; c < soup.cells.size(); ++c)
+  for (Index c = 0; c < soup.cells.size(); ++c)
     soup.signs.push_back(static_cast<std::int8_t>(state.body.complex.sign({c})));
   const auto violations = topology::check(soup, *options.require);
   if (topology::level_reached(D, violations) >= *options.require) return;

@@ -32,7 +32,7 @@ template <int D>
 std::vector<VertexId> used_in_order(const Incision<D>& incision) {
   const auto number = topology::canonical(incision);
   std::vector<VertexId> order(number.size(), {kNoPlace});
-  for (std::uint32_t v = 0; v < number.size(); ++v)
+  for (Index v = 0; v < number.size(); ++v)
     if (number[v].value != kNoPlace && incision.complex().a_corner({v}))
       order[number[v].value] = {v};
   order.erase(std::remove(order.begin(), order.end(), VertexId{kNoPlace}), order.end());
@@ -78,9 +78,9 @@ void warn_of_dropped(const Mesh& mesh, const std::vector<bool>& in_use, Numberin
 // vertices, then, from the place returned on, there is room for copies of nodes. Fills vertex_at
 // and origin, and the places of vertices and of nodes.
 template <int D>
-std::uint32_t list_points(const Body<D>& body, const Incision<D>& incision, Numbering numbering,
-                          Renaming<D>& renaming, std::vector<std::uint32_t>& place_of_node,
-                          std::size_t& originals, CutOutput& output) {
+Index list_points(const Body<D>& body, const Incision<D>& incision, Numbering numbering,
+                  Renaming<D>& renaming, std::vector<Index>& place_of_node, std::size_t& originals,
+                  CutOutput& output) {
   const Mesh& mesh = *body.mesh;
   const auto used = used_in_order(incision);
   std::vector<bool> in_use(mesh.points.size());
@@ -88,25 +88,25 @@ std::uint32_t list_points(const Body<D>& body, const Incision<D>& incision, Numb
     if (v.value < in_use.size()) in_use[v.value] = true;
   const std::vector<bool> node = nodes_in_use(mesh, in_use);
 
-  const auto add = [&](VertexId vertex, std::uint32_t origin) {
+  const auto add = [&](VertexId vertex, Index origin) {
     output.vertex_at.push_back(vertex);
     output.origin.push_back(origin);
   };
   place_of_node.assign(mesh.points.size(), kNoPlace);
-  for (std::uint32_t place = 0; place < mesh.points.size(); ++place) {
+  for (Index place = 0; place < mesh.points.size(); ++place) {
     if (!in_use[place] && !node[place]) continue;
-    if (node[place]) place_of_node[place] = static_cast<std::uint32_t>(output.origin.size());
+    if (node[place]) place_of_node[place] = static_cast<Index>(output.origin.size());
     add(in_use[place] ? VertexId{place} : kNoVertex, place);
     in_use[place] = true;
   }
   originals = output.origin.size();
   for (const VertexId v : used)
     if (v.value >= mesh.points.size()) add(v, body.place(incision.original(v)));
-  for (std::uint32_t place = 0; place < output.vertex_at.size(); ++place)
+  for (Index place = 0; place < output.vertex_at.size(); ++place)
     if (output.vertex_at[place] != kNoVertex)
       renaming.place_of[output.vertex_at[place].value] = place;
   warn_of_dropped(mesh, in_use, numbering, output);
-  return static_cast<std::uint32_t>(output.origin.size());
+  return static_cast<Index>(output.origin.size());
 }
 
 // The cells on the places of the output.
@@ -120,7 +120,7 @@ void carry_cells(const Renaming<D>& renaming, const NodeImages<D>& nodes, CutOut
   if (!cells.second_order()) return;
   auto node = cells.midside.begin();
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    const std::uint32_t* now = &cells.vertices[static_cast<std::size_t>(D + 1) * c];
+    const Index* now = &cells.vertices[static_cast<std::size_t>(D + 1) * c];
     for (int i = 0; i <= D; ++i)
       for (int j = i + 1; j <= D; ++j, ++node) *node = nodes.on_edge(*node, now[i], now[j]);
   }
@@ -134,7 +134,7 @@ void carry_fields(const Body<D>& body, const Incision<D>& incision, Numbering nu
   output.mesh.cell_fields = mesh.cell_fields;
   if (numbering != Numbering::from_zero) return;
   Field parent{"parent", 1, {}, true};
-  for (const std::uint32_t place : output.origin)
+  for (const Index place : output.origin)
     parent.values.push_back(static_cast<double>(mesh.vertex_numbers[place]));
   set_field(output.mesh.point_fields, std::move(parent));
   const auto pieces = topology::pieces(incision.complex());
@@ -156,23 +156,23 @@ CutOutput cut_output(const Body<D>& body, const Incision<D>& incision,
   output.mesh.msh_binary = mesh.msh_binary;
 
   Renaming<D> renaming{&body, &incision.complex(),
-                       std::vector<std::uint32_t>(incision.complex().vertex_count(), kNoPlace)};
-  std::vector<std::uint32_t> place_of_node;
+                       std::vector<Index>(incision.complex().vertex_count(), kNoPlace)};
+  std::vector<Index> place_of_node;
   std::size_t originals = 0;
-  const std::uint32_t first_node_copy =
+  const Index first_node_copy =
       list_points(body, incision, numbering, renaming, place_of_node, originals, output);
   std::array<Images, 3> images;
   for (int k = 0; k < D; ++k)
     images[static_cast<std::size_t>(k)] =
         images_of(renaming, k, mesh.elements[static_cast<std::size_t>(k)]);
   NodeImages<D> nodes(renaming, images, std::move(place_of_node), first_node_copy);
-  for (const std::uint32_t node : nodes.parents()) {
+  for (const Index node : nodes.parents()) {
     output.vertex_at.push_back(kNoVertex);
     output.origin.push_back(node);
   }
   number_points(mesh, numbering, originals, output);
   output.number_of.assign(renaming.place_of.size(), 0);
-  for (std::uint32_t place = 0; place < output.origin.size(); ++place) {
+  for (Index place = 0; place < output.origin.size(); ++place) {
     output.mesh.points.push_back(mesh.points[output.origin[place]]);
     if (output.vertex_at[place] != kNoVertex)
       output.number_of[output.vertex_at[place].value] = output.mesh.vertex_numbers[place];

@@ -19,7 +19,7 @@ struct NamedFacets {
                                  // elements; none: facets from elsewhere
 };
 
-constexpr topology::VertexId kNoVertex{UINT32_MAX};
+constexpr topology::VertexId kNoVertex{topology::kNoIndex};
 
 /// How a file numbers vertices: by place from 0 or 1, or with numbers of its own.
 enum class Numbering { from_zero, from_one, kept };
@@ -43,7 +43,7 @@ struct SidedFacet {
 
 /// A point that was moved away from where the body has it.
 struct MovedPoint {
-  std::uint32_t place;  // in the output's points
+  Index place;  // in the output's points
   std::array<double, 3> before;
 };
 
@@ -51,8 +51,8 @@ struct CutOutput {
   Mesh mesh;
   std::vector<topology::VertexId> vertex_at;  // of incision.complex(), for each of mesh.points;
                                               // kNoVertex: the point is a node of second order
-  std::vector<std::uint32_t> origin;          // place in body.mesh of each of mesh.points; where a
-                                      // point has several copies, the first one keeps its number
+  std::vector<Index> origin;                  // place in body.mesh of each of mesh.points; where a
+                              // point has several copies, the first one keeps its number
   std::vector<std::uint64_t> number_of;  // in `mesh`, of each vertex of incision.complex(); 0 if
                                          // it is not in use
   std::vector<SidedFacet> sides;         // ascending by facet

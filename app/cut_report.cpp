@@ -21,7 +21,7 @@ namespace {
 template <int D>
 void check_result(const topology::Complex<D>& k, CutReport& report) {
   topology::CellSoup<D> soup{{k.cells().begin(), k.cells().end()}, k.vertex_count(), {}};
-  for (std::uint32_t c = 0; c < k.cell_count(); ++c)
+  for (Index c = 0; c < k.cell_count(); ++c)
     soup.signs.push_back(static_cast<std::int8_t>(k.sign({c})));
   const auto violations = topology::check(soup, topology::Level::edge_regular);
   report.cut_regular = topology::level_reached(D, violations) >= topology::Level::cut_regular;
@@ -44,7 +44,7 @@ void list_copies(const CutState<D>& state, const Shown<D>& shown, const CutOutpu
 
 // How many nodes of second order copy another one.
 std::size_t copied_nodes(const CutOutput& output) {
-  std::vector<std::uint32_t> origins;
+  std::vector<Index> origins;
   for (std::size_t i = 0; i < output.origin.size(); ++i)
     if (output.vertex_at[i] == kNoVertex) origins.push_back(output.origin[i]);
   std::sort(origins.begin(), origins.end());

@@ -71,18 +71,18 @@ cutting::Sweep<2> read_polyline(const JsonValue& polyline) {
 
 }  // namespace
 
-std::vector<std::uint32_t> read_facets(const std::filesystem::path& path, const Mesh& mesh) {
+std::vector<Index> read_facets(const std::filesystem::path& path, const Mesh& mesh) {
   const InputText text = input_at(path);
   const auto json = parse_file(text);
   const JsonValue document(json, text.source());
   document.only({"facets"});
 
-  std::unordered_map<std::uint64_t, std::uint32_t> place_of;
+  std::unordered_map<std::uint64_t, Index> place_of;
   place_of.reserve(mesh.points.size());
-  for (std::uint32_t i = 0; i < mesh.vertex_numbers.size(); ++i)
+  for (Index i = 0; i < mesh.vertex_numbers.size(); ++i)
     place_of.emplace(mesh.vertex_numbers[i], i);
 
-  std::vector<std::uint32_t> places;
+  std::vector<Index> places;
   for (const JsonValue& facet : document["facets"].items()) {
     const auto numbers = facet.items();
     if (numbers.size() != static_cast<std::size_t>(mesh.dimension))

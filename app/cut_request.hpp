@@ -14,7 +14,7 @@ namespace cleave::app {
 /// The facets that a file {"facets": [[a, b, c], ..]} names by the numbers of `mesh`: as many
 /// places in mesh.points per facet as mesh.dimension. Throws InputError, also for a number that is
 /// no vertex of `mesh`.
-std::vector<std::uint32_t> read_facets(const std::filesystem::path& path, const Mesh& mesh);
+std::vector<Index> read_facets(const std::filesystem::path& path, const Mesh& mesh);
 
 /// A sweep: {"blade": [[p, q], ..]} or {"triangles": [[p, q, r], ..], "step_of_triangle": [..]} for
 /// D = 3, {"polyline": [p, ..]} for D = 2; points are lists of D numbers. Throws InputError.

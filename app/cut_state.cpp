@@ -87,7 +87,7 @@ void resume(CutState<D>& state, const CutSource& source) {
   state.incision.cut(all);
   for (const std::string& name : record.groups) state.name(name);
   std::vector<HalfFacetId> others;
-  for (const std::uint32_t h : record.others) others.push_back({h});
+  for (const Index h : record.others) others.push_back({h});
   state.others = FacetSet::of_lesser(std::move(others));
   FacetSet named = state.others;
   for (const auto& [name, facets] : state.groups) named = named | scored_among(k, all, facets);
@@ -121,17 +121,17 @@ void certify(const CutState<D>& state, const Mesh& out) {
 namespace {
 
 // The `numbers` of these vertices, as a certificate holds them.
-std::vector<std::uint32_t> numbered(const std::vector<std::uint32_t>& vertices,
+std::vector<std::uint32_t> numbered(const std::vector<Index>& vertices,
                                     const std::vector<std::uint64_t>& numbers,
                                     const std::string& source) {
   std::vector<std::uint32_t> result;
   result.reserve(vertices.size());
-  for (const std::uint32_t v : vertices) {
-    if (numbers[v] > UINT32_MAX)
+  for (const Index v : vertices) {
+    if (numbers[v] > Certificate::kGreatest)
       throw InputError(
           fmt::format("{}: there is a vertex number {}, and a certificate holds numbers up to {} "
                       "only; renumber the vertices, or leave out --certificate",
-                      source, numbers[v], UINT32_MAX));
+                      source, numbers[v], Certificate::kGreatest));
     result.push_back(static_cast<std::uint32_t>(numbers[v]));
   }
   return result;
@@ -143,7 +143,7 @@ template <int D>
 Certificate certificate_of(const CutState<D>& state, const Mesh& out,
                            const std::filesystem::path& path) {
   const Mesh& original = *state.body.mesh;
-  std::vector<std::uint32_t> facets;
+  std::vector<Index> facets;
   for (const HalfFacetId h : state.incision.scored().half_facets())
     for (int i = 0; i <= D; ++i) {
       const CornerId corner = topology::half_facet<D>(topology::cell_of<D>(h), i);
@@ -197,7 +197,7 @@ std::vector<std::uint64_t> Shown<D>::by_place() const {
   const auto& places = body_.mesh->cells().vertices;
   std::vector<std::uint64_t> numbers(body_.mesh->points.size());
   std::vector<bool> known(numbers.size());
-  for (std::uint32_t c = 0; c < places.size(); ++c) {
+  for (Index c = 0; c < places.size(); ++c) {
     if (known[places[c]]) continue;
     known[places[c]] = true;
     numbers[places[c]] = corner({c});

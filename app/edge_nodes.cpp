@@ -14,8 +14,8 @@ constexpr std::array<const char*, 4> kWord{"vertex element", "edge", "triangle",
 
 // The first element that has a node, and on which of its edges.
 struct Seat {
-  std::uint32_t a = kNoNode, b = kNoNode;  // ends of the edge, ascending
-  std::uint32_t element = 0;
+  Index a = kNoNode, b = kNoNode;  // ends of the edge, ascending
+  Index element = 0;
   int dimension = 0;  // 0: not seen
 };
 
@@ -31,9 +31,9 @@ class NodeCheck {
       const Elements& elements = of(k);
       if (!elements.second_order()) continue;
       const std::size_t corners = static_cast<std::size_t>(k) + 1;
-      const std::uint32_t* node = elements.midside.data();
-      for (std::uint32_t e = 0; e < elements.size(); ++e) {
-        const std::uint32_t* v = &elements.vertices[corners * e];
+      const Index* node = elements.midside.data();
+      for (Index e = 0; e < elements.size(); ++e) {
+        const Index* v = &elements.vertices[corners * e];
         for (std::size_t i = 0; i < corners; ++i)
           for (std::size_t j = i + 1; j < corners; ++j)
             look_at(*node++, {std::min(v[i], v[j]), std::max(v[i], v[j]), e, k}, seats);
@@ -45,7 +45,7 @@ class NodeCheck {
 
  private:
   const Elements& of(int k) const { return mesh_.elements[static_cast<std::size_t>(k)]; }
-  std::uint64_t number(std::uint32_t place) const { return mesh_.vertex_numbers[place]; }
+  std::uint64_t number(Index place) const { return mesh_.vertex_numbers[place]; }
   std::string element(const Seat& seat) const {
     return fmt::format("{} {}", kWord[static_cast<std::size_t>(seat.dimension)],
                        of(seat.dimension).numbers[seat.element]);
@@ -72,10 +72,10 @@ class NodeCheck {
 
   void mark_corners() {
     for (std::size_t k = 1; k < mesh_.elements.size(); ++k)
-      for (const std::uint32_t v : mesh_.elements[k].vertices) corner_[v] = true;
+      for (const Index v : mesh_.elements[k].vertices) corner_[v] = true;
   }
 
-  void look_at(std::uint32_t node, const Seat& seat, std::vector<Seat>& seats) {
+  void look_at(Index node, const Seat& seat, std::vector<Seat>& seats) {
     if (node == kNoNode) {
       add(fmt::format("{} has no node on its edge ({}), while other edges have", element(seat),
                       listed(ends(seat))),
@@ -97,14 +97,14 @@ class NodeCheck {
   }
 
   void find_edges_with_two(const std::vector<Seat>& seats) {
-    std::vector<std::uint32_t> nodes;
-    for (std::uint32_t n = 0; n < seats.size(); ++n)
+    std::vector<Index> nodes;
+    for (Index n = 0; n < seats.size(); ++n)
       if (seats[n].dimension != 0) nodes.push_back(n);
-    const auto edge = [&](std::uint32_t n) { return std::pair(seats[n].a, seats[n].b); };
+    const auto edge = [&](Index n) { return std::pair(seats[n].a, seats[n].b); };
     std::stable_sort(nodes.begin(), nodes.end(),
-                     [&](std::uint32_t m, std::uint32_t n) { return edge(m) < edge(n); });
+                     [&](Index m, Index n) { return edge(m) < edge(n); });
     for (std::size_t i = 1; i < nodes.size(); ++i) {
-      const std::uint32_t one = nodes[i - 1], other = nodes[i];
+      const Index one = nodes[i - 1], other = nodes[i];
       if (edge(one) != edge(other)) continue;
       add(fmt::format("the edge ({}) has node {} in {} and node {} in {}", listed(ends(seats[one])),
                       number(one), element(seats[one]), number(other), element(seats[other])),
@@ -122,10 +122,10 @@ class NodeCheck {
 std::vector<bool> edge_nodes(const Mesh& mesh) {
   std::vector<bool> node(mesh.points.size());
   for (const Elements& elements : mesh.elements)
-    for (const std::uint32_t n : elements.midside)
+    for (const Index n : elements.midside)
       if (n != kNoNode) node[n] = true;
   for (std::size_t k = 1; k < mesh.elements.size(); ++k)
-    for (const std::uint32_t v : mesh.elements[k].vertices) node[v] = false;
+    for (const Index v : mesh.elements[k].vertices) node[v] = false;
   return node;
 }
 

@@ -20,7 +20,7 @@ constexpr std::size_t edge_index(std::size_t dimension, std::size_t i, std::size
 }
 
 /// Stands in Elements::midside for a node that is missing.
-constexpr std::uint32_t kNoNode = UINT32_MAX;
+constexpr Index kNoNode = topology::kNoIndex;
 
 /// For each of mesh.points: whether it is a node of second order, and no corner of an element.
 std::vector<bool> edge_nodes(const Mesh& mesh);

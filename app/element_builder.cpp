@@ -7,8 +7,8 @@
 namespace cleave::app {
 namespace {
 
-void append(std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& from,
-            std::size_t element, std::size_t width) {
+void append(std::vector<Index>& to, const std::vector<Index>& from, std::size_t element,
+            std::size_t width) {
   const auto begin = from.begin() + static_cast<std::ptrdiff_t>(width * element);
   to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(width));
 }
@@ -23,7 +23,7 @@ ElementBuilder::ElementBuilder(const Elements& before, int dimension, bool secon
       kept_(before.vertices),
       kept_midside_(before.midside) {}
 
-ElementBuilder::Handle ElementBuilder::add_image(std::uint32_t source, ElementTuple tuple) {
+ElementBuilder::Handle ElementBuilder::add_image(Index source, ElementTuple tuple) {
   if (stays_[source]) return add(tuple, source);
   stays_[source] = true;
   std::copy(tuple.vertices.begin(), tuple.vertices.end(),
@@ -33,7 +33,7 @@ ElementBuilder::Handle ElementBuilder::add_image(std::uint32_t source, ElementTu
   return source;
 }
 
-ElementBuilder::Handle ElementBuilder::add(ElementTuple tuple, std::uint32_t source) {
+ElementBuilder::Handle ElementBuilder::add(ElementTuple tuple, Index source) {
   more_.insert(more_.end(), tuple.vertices.begin(), tuple.vertices.end());
   more_midside_.insert(more_midside_.end(), tuple.midside.begin(), tuple.midside.end());
   more_source_.push_back(source);
@@ -44,17 +44,17 @@ ElementBuilder::Built ElementBuilder::finish(std::uint64_t& next_number,
                                              std::span<Group> groups) const {
   Built built;
   Elements& after = built.elements;
-  std::vector<std::uint32_t> place_of(stays_.size() + more_source_.size());
-  for (std::uint32_t e = 0; e < stays_.size(); ++e) {
+  std::vector<Index> place_of(stays_.size() + more_source_.size());
+  for (Index e = 0; e < stays_.size(); ++e) {
     if (!stays_[e]) continue;
-    place_of[e] = static_cast<std::uint32_t>(after.size());
+    place_of[e] = static_cast<Index>(after.size());
     append(after.vertices, kept_, e, corners_);
     append(after.midside, kept_midside_, e, edges_);
     after.numbers.push_back(before_.numbers[e]);
     built.source.push_back(e);
   }
   for (std::size_t i = 0; i < more_source_.size(); ++i) {
-    place_of[stays_.size() + i] = static_cast<std::uint32_t>(after.size());
+    place_of[stays_.size() + i] = static_cast<Index>(after.size());
     after.numbers.push_back(next_number++);
     built.source.push_back(more_source_[i]);
   }
@@ -62,7 +62,7 @@ ElementBuilder::Built ElementBuilder::finish(std::uint64_t& next_number,
   after.midside.insert(after.midside.end(), more_midside_.begin(), more_midside_.end());
 
   for (Group& group : groups) {
-    for (std::uint32_t& e : group.elements) e = place_of[e];
+    for (Index& e : group.elements) e = place_of[e];
     std::sort(group.elements.begin(), group.elements.end());
     group.elements.erase(std::unique(group.elements.begin(), group.elements.end()),
                          group.elements.end());

@@ -8,28 +8,27 @@ namespace cleave::app {
 using topology::CellId;
 
 template <int D>
-std::uint32_t Renaming<D>::in_cell(CellId cell, std::uint32_t place) const {
-  const std::uint32_t* tuple =
-      &body->mesh->cells().vertices[static_cast<std::size_t>(D + 1) * cell.value];
+Index Renaming<D>::in_cell(CellId cell, Index place) const {
+  const Index* tuple = &body->mesh->cells().vertices[static_cast<std::size_t>(D + 1) * cell.value];
   const auto i = static_cast<std::size_t>(std::find(tuple, tuple + D, place) - tuple);
   return place_of[after->vertices(cell)[i].value];
 }
 
 namespace {
 
-constexpr std::size_t kMost = 3;                 // vertices of an element below the cells, at most
-using Tuple = std::array<std::uint32_t, kMost>;  // filled up with kNoPlace
+constexpr std::size_t kMost = 3;         // vertices of an element below the cells, at most
+using Tuple = std::array<Index, kMost>;  // filled up with kNoPlace
 
 struct Keyed {
   Tuple key;  // ascending places in the file
-  std::uint32_t element;
+  Index element;
   friend bool operator<(const Keyed& a, const Keyed& b) {
     return a.key != b.key ? a.key < b.key : a.element < b.element;
   }
 };
 
 struct Image {
-  std::uint32_t element;
+  Index element;
   Tuple tuple;
 };
 
@@ -50,10 +49,10 @@ Tuple ascending(Tuple tuple) {
 template <int D>
 std::vector<Image> images_in_cells(const Renaming<D>& renaming, std::size_t corners,
                                    const Elements& elements, const std::vector<Keyed>& keyed,
-                                   const std::vector<std::uint32_t>& copies) {
+                                   const std::vector<Index>& copies) {
   std::vector<Image> images;
-  const std::uint32_t* cell = renaming.body->mesh->cells().vertices.data();
-  for (std::uint32_t c = 0; c < renaming.after->cell_count(); ++c, cell += D + 1) {
+  const Index* cell = renaming.body->mesh->cells().vertices.data();
+  for (Index c = 0; c < renaming.after->cell_count(); ++c, cell += D + 1) {
     unsigned split = 0;
     for (int i = 0; i <= D; ++i)
       if (copies[cell[i]] > 1) split |= 1u << i;
@@ -81,14 +80,14 @@ std::vector<Image> images_in_cells(const Renaming<D>& renaming, std::size_t corn
 }  // namespace
 
 template <int D>
-std::vector<std::uint32_t> count_copies(const Renaming<D>& renaming) {
+std::vector<Index> count_copies(const Renaming<D>& renaming) {
   const Mesh& mesh = *renaming.body->mesh;
-  std::vector<std::uint32_t> copies(mesh.points.size());
+  std::vector<Index> copies(mesh.points.size());
   std::vector<bool> seen(renaming.after->vertex_count());
-  const std::uint32_t* file_vertex = mesh.cells().vertices.data();
+  const Index* file_vertex = mesh.cells().vertices.data();
   for (const auto& cell : renaming.after->cells())
     for (const auto v : cell) {
-      const std::uint32_t place = *file_vertex++;
+      const Index place = *file_vertex++;
       if (!seen[v.value]) ++copies[place];
       seen[v.value] = true;
     }
@@ -101,10 +100,10 @@ Images images_of(const Renaming<D>& renaming, int element_dimension, const Eleme
   const auto copies = count_copies(renaming);
 
   std::vector<Keyed> keyed;  // the elements that the cut may have touched
-  for (std::uint32_t e = 0; e < elements.size(); ++e) {
+  for (Index e = 0; e < elements.size(); ++e) {
     const Tuple tuple = tuple_of(elements, corners, e);
     if (std::any_of(tuple.begin(), tuple.begin() + static_cast<std::ptrdiff_t>(corners),
-                    [&](std::uint32_t place) { return copies[place] > 1; }))
+                    [&](Index place) { return copies[place] > 1; }))
       keyed.push_back({ascending(tuple), e});
   }
   std::sort(keyed.begin(), keyed.end());
@@ -118,8 +117,8 @@ Images images_of(const Renaming<D>& renaming, int element_dimension, const Eleme
                            tuple.begin() + static_cast<std::ptrdiff_t>(corners));
   };
   std::size_t next = 0;
-  for (std::uint32_t e = 0; e < elements.size(); ++e) {
-    images.first.push_back(static_cast<std::uint32_t>(images.vertices.size() / corners));
+  for (Index e = 0; e < elements.size(); ++e) {
+    images.first.push_back(static_cast<Index>(images.vertices.size() / corners));
     const std::size_t begin = next;
     for (; next < found.size() && found[next].element == e; ++next) {
       const auto same = [&](const Image& other) { return other.tuple == found[next].tuple; };
@@ -136,16 +135,16 @@ Images images_of(const Renaming<D>& renaming, int element_dimension, const Eleme
     }
     if (used) add(tuple);
   }
-  images.first.push_back(static_cast<std::uint32_t>(images.vertices.size() / corners));
+  images.first.push_back(static_cast<Index>(images.vertices.size() / corners));
   return images;
 }
 
 template struct Renaming<1>;
 template struct Renaming<2>;
 template struct Renaming<3>;
-template std::vector<std::uint32_t> count_copies<1>(const Renaming<1>&);
-template std::vector<std::uint32_t> count_copies<2>(const Renaming<2>&);
-template std::vector<std::uint32_t> count_copies<3>(const Renaming<3>&);
+template std::vector<Index> count_copies<1>(const Renaming<1>&);
+template std::vector<Index> count_copies<2>(const Renaming<2>&);
+template std::vector<Index> count_copies<3>(const Renaming<3>&);
 template Images images_of<1>(const Renaming<1>&, int, const Elements&);
 template Images images_of<2>(const Renaming<2>&, int, const Elements&);
 template Images images_of<3>(const Renaming<3>&, int, const Elements&);

@@ -7,32 +7,30 @@
 
 namespace cleave::app {
 
-constexpr std::uint32_t kNoPlace = UINT32_MAX;
+constexpr Index kNoPlace = topology::kNoIndex;
 
 /// Where the vertices of a file are after a cut.
 template <int D>
 struct Renaming {
   const Body<D>* body;
   const topology::Complex<D>* after;
-  std::vector<std::uint32_t>
-      place_of;  // in the output, per vertex of `after`; kNoPlace: not in use
+  std::vector<Index> place_of;  // in the output, per vertex of `after`; kNoPlace: not in use
 
   /// The place in the output of the vertex that `cell` has now where it had file place `place`.
   /// Requires that it had.
-  std::uint32_t in_cell(topology::CellId cell, std::uint32_t place) const;
+  Index in_cell(topology::CellId cell, Index place) const;
 };
 
 /// How many vertices of the output each vertex of the file has become. Time: linear in the cells.
 template <int D>
-std::vector<std::uint32_t> count_copies(const Renaming<D>& renaming);
+std::vector<Index> count_copies(const Renaming<D>& renaming);
 
 /// The images of the elements of one dimension: an element below the dimension of the cells is,
 /// after a cut, once in the output for each distinct tuple that the cells around it make of it.
 struct Images {
-  std::vector<std::uint32_t>
-      first;  // per element and one more: its images are [first[e], first[e+1])
-  std::vector<std::uint32_t> vertices;  // element_dimension+1 places in the output per image, in
-                                        // the order of the element's own tuple
+  std::vector<Index> first;     // per element and one more: its images are [first[e], first[e+1])
+  std::vector<Index> vertices;  // element_dimension+1 places in the output per image, in
+                                // the order of the element's own tuple
 };
 
 /// Images of `elements`, each element_dimension+1 places in the body's mesh, by ascending cell. An

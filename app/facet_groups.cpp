@@ -84,9 +84,9 @@ class CutFacets {
 // The half-facet of the facet of `h` whose outward orientation is that of `tuple`: its cell lies on
 // the side that the normal of the tuple points away from.
 template <int D>
-HalfFacetId outward(const Body<D>& body, HalfFacetId h, std::span<const std::uint32_t> tuple) {
+HalfFacetId outward(const Body<D>& body, HalfFacetId h, std::span<const Index> tuple) {
   const CellId cell = topology::cell_of<D>(h);
-  const std::uint32_t* vertices =
+  const Index* vertices =
       &body.mesh->cells().vertices[static_cast<std::size_t>(D + 1) * cell.value];
   std::array<std::ptrdiff_t, static_cast<std::size_t>(D)> order{};
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -100,10 +100,9 @@ HalfFacetId outward(const Body<D>& body, HalfFacetId h, std::span<const std::uin
 
 // The places in the file of the vertices of half-facet `h`, in its outward orientation.
 template <int D>
-std::array<std::uint32_t, static_cast<std::size_t>(D)> outward_tuple(const Body<D>& body,
-                                                                     HalfFacetId h) {
+std::array<Index, static_cast<std::size_t>(D)> outward_tuple(const Body<D>& body, HalfFacetId h) {
   const auto facet = body.complex.facet(h);
-  std::array<std::uint32_t, static_cast<std::size_t>(D)> tuple{};
+  std::array<Index, static_cast<std::size_t>(D)> tuple{};
   for (std::size_t i = 0; i < tuple.size(); ++i) tuple[i] = body.place(facet[i]);
   if (D >= 2 && body.complex.facet_sign(h) < 0) std::swap(tuple[0], tuple[tuple.size() - 1]);
   return tuple;
@@ -113,9 +112,9 @@ std::array<std::uint32_t, static_cast<std::size_t>(D)> outward_tuple(const Body<
 template <int D>
 struct Entry {
   HalfFacetId lesser;
-  std::array<std::uint32_t, static_cast<std::size_t>(D)> tuple;  // places in the file
-  std::optional<std::uint32_t> element;  // of the file, if the facet gives up its place there
-  std::uint32_t source = ElementBuilder::kNoSource;  // else: the element whose values it takes
+  std::array<Index, static_cast<std::size_t>(D)> tuple;  // places in the file
+  std::optional<Index> element;              // of the file, if the facet gives up its place there
+  Index source = ElementBuilder::kNoSource;  // else: the element whose values it takes
 };
 
 template <int D>
@@ -143,10 +142,10 @@ class FacetCarrier {
   }
 
   // Whether element `e` leaves its group altogether, to come back in others.
-  bool gives_way(std::uint32_t e) const { return gives_way_[e]; }
+  bool gives_way(Index e) const { return gives_way_[e]; }
 
   // Whether element `e` of `group` stays in it.
-  bool stays(const Group& group, std::uint32_t e) const {
+  bool stays(const Group& group, Index e) const {
     const auto left = left_.find(&group);
     return left == left_.end() || !std::binary_search(left->second.begin(), left->second.end(), e);
   }
@@ -164,7 +163,7 @@ class FacetCarrier {
       const auto put = [&](const Entry<D>& entry, HalfFacetId seen_from, std::size_t group) {
         const CellId cell = topology::cell_of<D>(seen_from);
         auto vertices = entry.tuple;
-        for (std::uint32_t& place : vertices) place = renaming_.in_cell(cell, place);
+        for (Index& place : vertices) place = renaming_.in_cell(cell, place);
         const auto midside = nodes_in(cell, entry.tuple);
         const ElementTuple tuple{vertices, midside};
         table.groups[group].elements.push_back(entry.element
@@ -198,8 +197,8 @@ class FacetCarrier {
   }
 
   // The nodes of second order that `cell` has now on the edges between these file places.
-  std::vector<std::uint32_t> nodes_in(CellId cell, std::span<const std::uint32_t> places) const {
-    std::vector<std::uint32_t> nodes;
+  std::vector<Index> nodes_in(CellId cell, std::span<const Index> places) const {
+    std::vector<Index> nodes;
     if (!nodes_.second_order()) return nodes;
     for (std::size_t i = 0; i < places.size(); ++i)
       for (std::size_t j = i + 1; j < places.size(); ++j)
@@ -208,15 +207,15 @@ class FacetCarrier {
   }
 
   // The first element of the file on each facet (lesser half-facet), if there are fields on facets.
-  std::map<HalfFacetId, std::uint32_t> elements_on_facets() const {
-    std::map<HalfFacetId, std::uint32_t> first;
+  std::map<HalfFacetId, Index> elements_on_facets() const {
+    std::map<HalfFacetId, Index> first;
     if (mesh_.facet_fields.empty()) return first;
     std::vector<topology::Facet<D>> tuples(mesh_.facets().size());
     for (std::size_t i = 0; i < mesh_.facets().vertices.size(); ++i)
       tuples[i / D][i % D] = {mesh_.facets().vertices[i]};
     const auto soup = soup_of<D>(mesh_);
     const auto found = topology::locate_facets<D>(soup.cells, tuples);
-    for (std::uint32_t e = 0; e < found.size(); ++e)
+    for (Index e = 0; e < found.size(); ++e)
       if (found[e]) first.emplace(cut_.lesser(*found[e]), e);
     return first;
   }
@@ -237,11 +236,11 @@ class FacetCarrier {
       auto& left = left_[named->group];
       for (std::size_t i = 0; i < named->facets.size(); ++i)
         if (cut_.scored(named->facets[i])) left.push_back(named->group->elements[i]);
-      for (const std::uint32_t e : left) gives_way_[e] = true;
+      for (const Index e : left) gives_way_[e] = true;
     }
     for (const Group& group : mesh_.groups) {
       if (group.dimension != D - 1) continue;
-      for (const std::uint32_t e : group.elements)
+      for (const Index e : group.elements)
         if (stays(group, e)) gives_way_[e] = false;
     }
   }
@@ -253,7 +252,7 @@ class FacetCarrier {
       const auto tuples = vertices_of(mesh_, *named.group);
       for (std::size_t i = 0; i < named.facets.size(); ++i) {
         if (!cut_.scored(named.facets[i])) continue;
-        const std::uint32_t e = named.group->elements[i];
+        const Index e = named.group->elements[i];
         Entry<D> entry{cut_.lesser(named.facets[i]), {}, std::nullopt};
         std::copy_n(tuples.begin() + static_cast<std::ptrdiff_t>(D * i), D, entry.tuple.begin());
         entries.push_back(entry);
@@ -315,7 +314,7 @@ class FacetCarrier {
   CutOutput& output_;
   std::vector<const NamedFacets*> asked_;
   std::vector<bool> gives_way_;
-  std::map<const Group*, std::vector<std::uint32_t>> left_;  // elements that leave, ascending
+  std::map<const Group*, std::vector<Index>> left_;  // elements that leave, ascending
 };
 
 // Words for an element of this dimension.
@@ -328,8 +327,8 @@ const char* plural(int dimension) {
 template <int D>
 Images with_nodes(const Images& on_vertices, const NodeImages<D>& nodes, const Elements& elements) {
   Images images;
-  for (std::uint32_t e = 0; e < elements.size(); ++e) {
-    images.first.push_back(static_cast<std::uint32_t>(images.vertices.size()));
+  for (Index e = 0; e < elements.size(); ++e) {
+    images.first.push_back(static_cast<Index>(images.vertices.size()));
     const auto first = on_vertices.vertices.begin() + on_vertices.first[e];
     const auto last = on_vertices.vertices.begin() + on_vertices.first[e + 1];
     images.vertices.insert(images.vertices.end(), first, last);
@@ -337,7 +336,7 @@ Images with_nodes(const Images& on_vertices, const NodeImages<D>& nodes, const E
     const auto places = nodes.places(elements.vertices[e]);
     images.vertices.insert(images.vertices.end(), places.begin(), places.end());
   }
-  images.first.push_back(static_cast<std::uint32_t>(images.vertices.size()));
+  images.first.push_back(static_cast<Index>(images.vertices.size()));
   return images;
 }
 
@@ -354,14 +353,14 @@ void carry(const Renaming<D>& renaming, const Carried<D>& carried, int k,
                             ? with_nodes(carried.elements[0], carried.nodes, elements)
                             : carried.elements[static_cast<std::size_t>(k)];
   const std::size_t edges = edges_of_simplex(static_cast<std::size_t>(k));
-  std::vector<std::pair<std::uint32_t, Handle>> further;  // element; its images but the first
+  std::vector<std::pair<Index, Handle>> further;  // element; its images but the first
   std::size_t gone = 0;
-  for (std::uint32_t e = 0; e < elements.size(); ++e) {
+  for (Index e = 0; e < elements.size(); ++e) {
     if (images.first[e] == images.first[e + 1]) ++gone;
     if (facets != nullptr && facets->gives_way(e)) continue;
-    for (std::uint32_t i = images.first[e]; i < images.first[e + 1]; ++i) {
+    for (Index i = images.first[e]; i < images.first[e + 1]; ++i) {
       const std::span vertices(&images.vertices[corners * i], corners);
-      std::vector<std::uint32_t> midside;
+      std::vector<Index> midside;
       if (elements.second_order())
         midside =
             carried.nodes.of_element(std::span(&elements.midside[edges * e], edges), vertices);
@@ -377,7 +376,7 @@ void carry(const Renaming<D>& renaming, const Carried<D>& carried, int k,
   for (const Group& group : mesh.groups) {
     if (group.dimension != k) continue;
     auto& members = table.groups[table.named(group.name)].elements;
-    for (const std::uint32_t e : group.elements) {
+    for (const Index e : group.elements) {
       if (images.first[e] == images.first[e + 1]) continue;
       if (facets != nullptr && !facets->stays(group, e)) continue;
       members.push_back(e);

@@ -94,7 +94,7 @@ FileNumbers numbers_in(const Mesh& mesh, MeshFormat format, const WriteOptions& 
       break;
   }
   if (numbers.elements[0].empty())  // marks on vertices
-    for (const std::uint32_t v : mesh.elements[0].vertices)
+    for (const Index v : mesh.elements[0].vertices)
       numbers.elements[0].push_back(numbers.vertices[v]);
   return numbers;
 }

@@ -28,12 +28,12 @@ std::vector<std::uint64_t> cell_vertices(const Mesh& mesh, CellId cell) {
 }
 
 CellId cell_of(const Mesh& mesh, HalfFacetId h) {
-  return {h.value / static_cast<std::uint32_t>(mesh.dimension + 1)};
+  return {h.value / static_cast<Index>(mesh.dimension + 1)};
 }
 
 std::vector<std::uint64_t> facet_vertices(const Mesh& mesh, HalfFacetId h) {
   auto numbers = cell_vertices(mesh, cell_of(mesh, h));
-  numbers.erase(numbers.begin() + h.value % static_cast<std::uint32_t>(mesh.dimension + 1));
+  numbers.erase(numbers.begin() + h.value % static_cast<Index>(mesh.dimension + 1));
   std::sort(numbers.begin(), numbers.end());
   return numbers;
 }

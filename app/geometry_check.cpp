@@ -61,7 +61,7 @@ struct Corners {
   const Vector& at(int i) const { return p[static_cast<std::size_t>(i)]; }
 };
 
-Finding not_finite(const Mesh& mesh, std::uint32_t v, std::size_t axis) {
+Finding not_finite(const Mesh& mesh, Index v, std::size_t axis) {
   const std::string name(1, "xyz"[axis]);
   const double value = mesh.points[v][axis];
   return {
@@ -71,7 +71,7 @@ Finding not_finite(const Mesh& mesh, std::uint32_t v, std::size_t axis) {
       {{"vertex", mesh.vertex_numbers[v]}, {"axis", name}, {"value", fmt::format("{}", value)}}};
 }
 
-Finding about_cell(const Mesh& mesh, std::uint32_t cell, const char* rule, double height) {
+Finding about_cell(const Mesh& mesh, Index cell, const char* rule, double height) {
   const auto number = cell_number(mesh, {cell});
   const auto vertices = cell_vertices(mesh, {cell});
   const bool flat = std::string_view(rule) == "flat-cell";
@@ -89,7 +89,7 @@ Finding about_cell(const Mesh& mesh, std::uint32_t cell, const char* rule, doubl
 std::vector<Finding> check_geometry(const Mesh& mesh, double flat_ratio) {
   std::vector<Finding> not_finite_ones, inverted, flat;
   std::vector<bool> finite(mesh.points.size(), true);
-  for (std::uint32_t v = 0; v < mesh.points.size(); ++v)
+  for (Index v = 0; v < mesh.points.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (std::isfinite(mesh.points[v][axis])) continue;
       finite[v] = false;
@@ -98,8 +98,8 @@ std::vector<Finding> check_geometry(const Mesh& mesh, double flat_ratio) {
 
   const bool planar = is_planar(mesh);
   const auto corners = static_cast<std::size_t>(mesh.dimension) + 1;
-  for (std::uint32_t c = 0; c < mesh.cells().size(); ++c) {
-    const std::uint32_t* tuple = &mesh.cells().vertices[corners * c];
+  for (Index c = 0; c < mesh.cells().size(); ++c) {
+    const Index* tuple = &mesh.cells().vertices[corners * c];
     Corners cell{mesh.dimension, {}};
     bool sound = true;
     for (std::size_t i = 0; i < corners; ++i) {

@@ -1,5 +1,7 @@
 #include "kuhn_cube.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "error.hpp"
@@ -27,8 +29,11 @@ void require_ids_suffice(const CubeSpec& spec) {
     corners *= static_cast<double>(n - 1);
     vertices *= static_cast<double>(n);
   }
-  if (corners > 2147483647.0 || vertices > 4294967294.0)
-    throw InputError("the cube has too many cells for 32-bit corner numbers; give it fewer nodes");
+  constexpr auto kMost = static_cast<double>(topology::kNoIndex - 1);
+  if (corners > kMost / 2 || vertices > kMost)
+    throw InputError(
+        fmt::format("the cube has too many cells for {}-bit corner numbers; give it fewer nodes",
+                    topology::kIdBits));
 }
 
 }  // namespace
@@ -58,8 +63,7 @@ Mesh kuhn_cube(const CubeSpec& spec) {
           std::array<std::uint64_t, 4> cell{x + nx * (y + ny * z)};
           for (std::size_t i = 0; i < 3; ++i) cell[i + 1] = cell[i] + stride[path.axes[i]];
           if (path.odd) std::swap(cell[2], cell[3]);
-          for (const std::uint64_t v : cell)
-            cells.vertices.push_back(static_cast<std::uint32_t>(v));
+          for (const std::uint64_t v : cell) cells.vertices.push_back(static_cast<Index>(v));
           cells.numbers.push_back(cells.numbers.size());
         }
   return mesh;

@@ -166,7 +166,7 @@ class LossFinder {
 
   void find_vertex_elements() {
     if (holds_.vertex_elements) return;
-    std::set<std::uint32_t> marked;
+    std::set<Index> marked;
     for (const Group& group : groups_of_vertices(mesh_))
       marked.insert(group.elements.begin(), group.elements.end());
     add(mesh_.elements[0].size() - marked.size(), "vertex-elements",

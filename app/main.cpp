@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <sstream>
+#include <string>
 
+#include "cleave/topology/ids.hpp"
 #include "commands.hpp"
 #include "error.hpp"
 
@@ -36,7 +38,8 @@ int main(int argc, char** argv) {
   using namespace cleave::app;
   CLI::App cleave{"Splits simplicial meshes along their own facets, and checks them"};
   cleave.name("cleave");
-  cleave.set_version_flag("--version", "cleave " CLEAVE_VERSION);
+  cleave.set_version_flag("--version", "cleave " CLEAVE_VERSION ", " +
+                                           std::to_string(cleave::topology::kIdBits) + "-bit ids");
   cleave.require_subcommand(1);
   cleave.footer("`cleave COMMAND --help` shows the options of a command, with examples.");
   Action chosen;

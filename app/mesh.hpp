@@ -5,15 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "cleave/topology/ids.hpp"
+
 namespace cleave::app {
+
+/// Places of points and elements count as ids do: they become the ids of vertices and cells.
+using topology::Index;
 
 /// Simplices of one dimension as a file lists them.
 struct Elements {
-  std::vector<std::uint32_t> vertices;  // dimension+1 per element: 0-based places in Mesh::points
-  std::vector<std::uint64_t> numbers;   // the file's own number of each element
+  std::vector<Index> vertices;         // dimension+1 per element: 0-based places in Mesh::points
+  std::vector<std::uint64_t> numbers;  // the file's own number of each element
   /// Empty, or the element's nodes of second order, one per edge: places in Mesh::points, in the
   /// order (0,1) (0,2) (0,3) (1,2) (1,3) (2,3) of the edge's ends in the element's tuple.
-  std::vector<std::uint32_t> midside = {};
+  std::vector<Index> midside = {};
   std::size_t size() const { return numbers.size(); }
   bool second_order() const { return !midside.empty(); }
 };
@@ -23,10 +28,10 @@ struct Elements {
 /// the order whose normal points to the plus side (D = 3: by the right hand; D = 2: plus is to the
 /// left of the way from the first to the second), which is positive in gmsh's and Abaqus's sense.
 struct CohesiveElements {
-  std::vector<std::uint32_t> vertices;  // 2*D per element: D on the minus side, then their
-                                        // counterparts on the plus side; places in Mesh::points
-  std::vector<std::uint64_t> numbers;   // the file's own number of each element
-  std::vector<std::string> names;       // the group of each element
+  std::vector<Index> vertices;         // 2*D per element: D on the minus side, then their
+                                       // counterparts on the plus side; places in Mesh::points
+  std::vector<std::uint64_t> numbers;  // the file's own number of each element
+  std::vector<std::string> names;      // the group of each element
   std::size_t size() const { return numbers.size(); }
 };
 
@@ -36,7 +41,7 @@ struct Periodicity {
   std::int64_t entity = 0, master = 0;  // their tags
   std::vector<double> affine;           // 16 numbers that map the master onto the entity, or none
   struct Pair {
-    std::uint32_t vertex, master;  // places in Mesh::points
+    Index vertex, master;  // places in Mesh::points
   };
   std::vector<Pair> pairs;
 };
@@ -46,8 +51,8 @@ struct Periodicity {
 struct Group {
   std::string name;  // as the file has it; the integer in digits where the file has no names
   int dimension = 0;
-  std::int32_t tag = 0;                 // the file's integer for it
-  std::vector<std::uint32_t> elements;  // places in Mesh::elements[dimension], ascending
+  std::int32_t tag = 0;         // the file's integer for it
+  std::vector<Index> elements;  // places in Mesh::elements[dimension], ascending
 };
 
 /// Values per point, cell or facet that a file carries.

@@ -15,14 +15,14 @@ void set_field(std::vector<Field>& fields, Field field) {
     *at = std::move(field);
 }
 
-std::vector<Field> take(const std::vector<Field>& fields, const std::vector<std::uint32_t>& source,
-                        std::uint32_t none) {
+std::vector<Field> take(const std::vector<Field>& fields, const std::vector<Index>& source,
+                        Index none) {
   std::vector<Field> taken;
   for (const Field& field : fields) {
     Field& next = taken.emplace_back(Field{field.name, field.components, {}, field.integer});
     const auto width = static_cast<std::size_t>(field.components);
     next.values.reserve(width * source.size());
-    for (const std::uint32_t from : source)
+    for (const Index from : source)
       for (std::size_t i = 0; i < width; ++i)
         next.values.push_back(from != none    ? field.values[width * from + i]
                               : field.integer ? -1
@@ -35,7 +35,7 @@ std::vector<double> cell_tags(const Mesh& mesh) {
   std::vector<double> tags(mesh.cells().size());
   for (auto group = mesh.groups.rbegin(); group != mesh.groups.rend(); ++group)  // by falling tag
     if (group->dimension == mesh.dimension)
-      for (const std::uint32_t c : group->elements) tags[c] = group->tag;
+      for (const Index c : group->elements) tags[c] = group->tag;
   return tags;
 }
 

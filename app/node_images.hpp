@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <boost/functional/hash.hpp>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -22,33 +23,34 @@ class NodeImages {
   /// `first_copy` on. Requires that check_edge_nodes finds nothing. Time: linear in the cells that
   /// the cut touched, and sorting them.
   NodeImages(const Renaming<D>& renaming, const std::array<Images, 3>& images,
-             std::vector<std::uint32_t> place_of_node, std::uint32_t first_copy);
+             std::vector<Index> place_of_node, Index first_copy);
 
   bool second_order() const { return !place_of_node_.empty(); }
 
   /// The place in the output of the node that was `node` in the file, on the edge that is between
   /// the places `a` and `b` of the output now.
-  std::uint32_t on_edge(std::uint32_t node, std::uint32_t a, std::uint32_t b) const;
+  Index on_edge(Index node, Index a, Index b) const;
 
   /// For the element that has these nodes in the file, and these vertices in the output.
-  std::vector<std::uint32_t> of_element(std::span<const std::uint32_t> nodes,
-                                        std::span<const std::uint32_t> vertices) const;
+  std::vector<Index> of_element(std::span<const Index> nodes,
+                                std::span<const Index> vertices) const;
 
   /// The node on the edge of `cell` between the file places `a` and `b`, in the output.
-  std::uint32_t in_cell(topology::CellId cell, std::uint32_t a, std::uint32_t b) const;
+  Index in_cell(topology::CellId cell, Index a, Index b) const;
 
   /// All places in the output that `node`, a place in the file, has now; none if it is no node.
-  std::vector<std::uint32_t> places(std::uint32_t node) const;
+  std::vector<Index> places(Index node) const;
 
   /// The nodes of the file that the copies copy, in the order of their places; ascending.
-  const std::vector<std::uint32_t>& parents() const { return parents_; }
+  const std::vector<Index>& parents() const { return parents_; }
 
  private:
   const Renaming<D>* renaming_;
-  std::vector<std::uint32_t> place_of_node_;  // kNoPlace: not in use, or no node
-  std::uint32_t first_copy_;
-  std::unordered_map<std::uint64_t, std::uint32_t> node_on_;  // of the edges that the cut touched
-  std::vector<std::uint32_t> parents_;
+  std::vector<Index> place_of_node_;  // kNoPlace: not in use, or no node
+  Index first_copy_;
+  std::unordered_map<std::pair<Index, Index>, Index, boost::hash<std::pair<Index, Index>>>
+      node_on_;  // of the edges that the cut touched, by their ends in ascending order
+  std::vector<Index> parents_;
 };
 
 /// For each point of the file that is a node of an element with corners in use alone (`in_use` per

@@ -91,18 +91,18 @@ class Mover {
   void run(const std::vector<topology::OpenedFacet>& opened) {
     std::vector<bool> tip(mesh_.points.size());
     for (const auto& facet : opened) {
-      std::vector<std::uint32_t> sides;
+      std::vector<Index> sides;
       for (const HalfFacetId h : {facet.half_facet, facet.former_mate}) push_inward(h, sides);
       std::sort(sides.begin(), sides.end());
       for (auto at = std::adjacent_find(sides.begin(), sides.end()); at != sides.end();
            at = std::adjacent_find(at + 1, sides.end()))
         tip[*at] = true;
     }
-    for (std::uint32_t place = 0; place < direction_.size(); ++place)
+    for (Index place = 0; place < direction_.size(); ++place)
       direction_[place] = tip[place] ? Vector{} : unit(direction_[place]);
     move_nodes();
     const std::vector<Vector> before = mesh_.points;
-    for (std::uint32_t place = 0; place < direction_.size(); ++place) {
+    for (Index place = 0; place < direction_.size(); ++place) {
       if (direction_[place] == Vector{}) continue;
       mesh_.points[place] = along(before[place], distance_ / 2, direction_[place]);
       if (mesh_.points[place] != before[place]) output_.moved.push_back({place, before[place]});
@@ -111,17 +111,17 @@ class Mover {
   }
 
  private:
-  const std::uint32_t* cell(std::size_t c) const {
+  const Index* cell(std::size_t c) const {
     return &mesh_.cells().vertices[static_cast<std::size_t>(D + 1) * c];
   }
   Corners<D> corners(std::size_t c, const std::vector<Vector>& points) const {
     Corners<D> p{};
-    std::transform(cell(c), cell(c) + D + 1, p.begin(), [&](std::uint32_t v) { return points[v]; });
+    std::transform(cell(c), cell(c) + D + 1, p.begin(), [&](Index v) { return points[v]; });
     return p;
   }
 
   // Adds the normal of half-facet `h` to its vertices, and these to `vertices`.
-  void push_inward(HalfFacetId h, std::vector<std::uint32_t>& vertices) {
+  void push_inward(HalfFacetId h, std::vector<Index>& vertices) {
     const std::size_t c = topology::cell_of<D>(h).value;
     const auto opposite = static_cast<std::size_t>(topology::local_index<D>(h));
     const Vector normal = into_cell<D>(corners(c, mesh_.points), opposite);
@@ -135,7 +135,7 @@ class Mover {
   void move_nodes() {
     for (std::size_t k = 1; k <= static_cast<std::size_t>(D); ++k) {
       const Elements& elements = mesh_.elements[k];
-      const std::uint32_t* node = elements.midside.data();
+      const Index* node = elements.midside.data();
       for (std::size_t e = 0; elements.second_order() && e < elements.size(); ++e)
         for (std::size_t i = 0; i <= k; ++i)
           for (std::size_t j = i + 1; j <= k; ++j, ++node) {
@@ -149,11 +149,10 @@ class Mover {
   void warn_of_inverted(const std::vector<Vector>& before) {
     if (D == 1 || (D == 2 && !is_planar(*body_.mesh))) return;
     std::size_t inverted = 0;
-    std::uint32_t first = 0;
+    Index first = 0;
     double safe = distance_;
-    for (std::uint32_t c = 0; c < mesh_.cells().size(); ++c) {
-      if (std::all_of(cell(c), cell(c) + D + 1,
-                      [&](std::uint32_t v) { return direction_[v] == Vector{}; }))
+    for (Index c = 0; c < mesh_.cells().size(); ++c) {
+      if (std::all_of(cell(c), cell(c) + D + 1, [&](Index v) { return direction_[v] == Vector{}; }))
         continue;
       const int sign = orientation<D>(corners(c, before));
       if (sign == 0) continue;
@@ -170,7 +169,7 @@ class Mover {
 
   // The least offset at which cell `c` is flat, or the whole distance: the volume is a polynomial
   // of degree D in the offset, monotonic between the zeros of its derivative.
-  double first_flat(std::uint32_t c, int sign, const std::vector<Vector>& before) const {
+  double first_flat(Index c, int sign, const std::vector<Vector>& before) const {
     const auto at = [&](double t) {
       Corners<D> p = corners(c, before);
       for (std::size_t i = 0; i < p.size(); ++i)

@@ -22,7 +22,7 @@ namespace {
 
 // Two places of the output that a periodicity identifies.
 struct Link {
-  std::uint32_t vertex, master;
+  Index vertex, master;
   friend bool operator<(const Link& a, const Link& b) {
     return std::pair(a.vertex, a.master) < std::pair(b.vertex, b.master);
   }
@@ -37,7 +37,7 @@ struct FacetPair {
 };
 
 template <int D>
-using Tuple = std::array<std::uint32_t, static_cast<std::size_t>(D)>;
+using Tuple = std::array<Index, static_cast<std::size_t>(D)>;
 
 // The places of a facet's vertices in the file, and the places they have now in its cell.
 template <int D>
@@ -54,9 +54,9 @@ class PairCarrier {
         scored_(scored),
         output_(output),
         component_(output.origin.size()) {
-    for (std::uint32_t h = 0; h < body.complex.half_facet_count(); ++h)
+    for (Index h = 0; h < body.complex.half_facet_count(); ++h)
       if (!body.complex.is_interior({h})) boundary_.push_back({h});
-    for (std::uint32_t place = 0; place < output.origin.size(); ++place)
+    for (Index place = 0; place < output.origin.size(); ++place)
       by_origin_.emplace_back(output.origin[place], place);
     std::sort(by_origin_.begin(), by_origin_.end());
     std::iota(component_.begin(), component_.end(), 0u);
@@ -87,9 +87,8 @@ class PairCarrier {
   }
 
   // The node that `cell` has now on the edge between two file places.
-  std::uint32_t node(CellId cell, std::uint32_t a, std::uint32_t b) const {
-    const std::uint32_t* tuple =
-        &mesh_.cells().vertices[static_cast<std::size_t>(D + 1) * cell.value];
+  Index node(CellId cell, Index a, Index b) const {
+    const Index* tuple = &mesh_.cells().vertices[static_cast<std::size_t>(D + 1) * cell.value];
     const auto i = static_cast<std::size_t>(std::find(tuple, tuple + D, a) - tuple);
     const auto j = static_cast<std::size_t>(std::find(tuple, tuple + D, b) - tuple);
     return output_.mesh.cells()
@@ -97,17 +96,17 @@ class PairCarrier {
   }
 
   // The copies of a point of the file, ascending.
-  std::vector<std::uint32_t> copies(std::uint32_t origin) const {
-    std::vector<std::uint32_t> all;
-    for (auto at = std::lower_bound(by_origin_.begin(), by_origin_.end(), std::pair{origin, 0u});
+  std::vector<Index> copies(Index origin) const {
+    std::vector<Index> all;
+    for (auto at =
+             std::lower_bound(by_origin_.begin(), by_origin_.end(), std::pair{origin, Index{0}});
          at != by_origin_.end() && at->first == origin; ++at)
       all.push_back(at->second);
     return all;
   }
 
   // Facets of the boundary that `p` identifies. `master_of` is per point of the file.
-  std::vector<FacetPair> facet_pairs(const Periodicity& p,
-                                     std::vector<std::uint32_t>& master_of) const {
+  std::vector<FacetPair> facet_pairs(const Periodicity& p, std::vector<Index>& master_of) const {
     std::vector<bool> is_master(mesh_.points.size());
     master_of.assign(mesh_.points.size(), kNoPlace);
     for (const auto& pair : p.pairs) {
@@ -117,9 +116,8 @@ class PairCarrier {
     std::vector<std::pair<Tuple<D>, HalfFacetId>> slaves, masters;
     for (const HalfFacetId h : boundary_) {
       Tuple<D> own = places(h).file, image{};
-      std::transform(own.begin(), own.end(), image.begin(),
-                     [&](std::uint32_t v) { return master_of[v]; });
-      const auto mastering = [&](std::uint32_t v) { return is_master[v]; };
+      std::transform(own.begin(), own.end(), image.begin(), [&](Index v) { return master_of[v]; });
+      const auto mastering = [&](Index v) { return is_master[v]; };
       if (std::all_of(own.begin(), own.end(), mastering)) {
         std::sort(own.begin(), own.end());
         masters.emplace_back(own, h);
@@ -142,13 +140,13 @@ class PairCarrier {
   // What `p`, between entities of dimension D-1, identifies now. Throws InputError if that is not
   // one to one.
   std::vector<Link> links_of(const Periodicity& p) const {
-    std::vector<std::uint32_t> master_of;
+    std::vector<Index> master_of;
     const auto pairs = facet_pairs(p, master_of);
     std::vector<Link> links;
     for (const FacetPair& pair : pairs) {
       const auto one = places(pair.facet), other = places(pair.master);
       for (std::size_t i = 0; i < one.file.size(); ++i) {
-        const std::uint32_t master = master_of[one.file[i]];
+        const Index master = master_of[one.file[i]];
         const auto q = std::find(other.file.begin(), other.file.end(), master);
         links.push_back({one.now[i], other.now[static_cast<std::size_t>(q - other.file.begin())]});
         if (!mesh_.cells().second_order()) continue;
@@ -179,11 +177,10 @@ class PairCarrier {
 
   // `apart` are two copies of one point, both identified with the point `joined` of the other side;
   // `masters_apart`: the side that came apart is the master's.
-  [[noreturn]] void refuse(const Periodicity& p, std::array<std::uint32_t, 2> apart,
-                           std::uint32_t joined, const std::vector<FacetPair>& pairs,
-                           bool masters_apart) const {
+  [[noreturn]] void refuse(const Periodicity& p, std::array<Index, 2> apart, Index joined,
+                           const std::vector<FacetPair>& pairs, bool masters_apart) const {
     static constexpr std::array<const char*, 3> kEntity{"point", "curve", "surface"};
-    const std::uint32_t partner = output_.origin[joined];
+    const Index partner = output_.origin[joined];
     const auto facets = facets_to_cut(apart, partner, pairs, masters_apart);
     std::string advice = "cut both sides alike, or leave the facets at this vertex out";
     if (!facets.empty()) {
@@ -203,7 +200,7 @@ class PairCarrier {
 
   // The fewest facets around `partner`, a place in the file, that separate the facets there whose
   // counterparts came apart. Empty if `partner` is a node of second order or its facets touch.
-  std::vector<HalfFacetId> facets_to_cut(std::array<std::uint32_t, 2> apart, std::uint32_t partner,
+  std::vector<HalfFacetId> facets_to_cut(std::array<Index, 2> apart, Index partner,
                                          const std::vector<FacetPair>& pairs,
                                          bool masters_apart) const {
     std::array<std::vector<CellId>, 2> around;
@@ -225,11 +222,11 @@ class PairCarrier {
     return star_cut(body_.complex, scored_, *vertex, around[0], around[1]);
   }
 
-  std::uint32_t root(std::uint32_t place) {
+  Index root(Index place) {
     while (component_[place] != place) place = component_[place] = component_[component_[place]];
     return place;
   }
-  void join(std::uint32_t a, std::uint32_t b) { component_[root(a)] = root(b); }
+  void join(Index a, Index b) { component_[root(a)] = root(b); }
 
   // The pairs of `p` as they are now; `links` are those that its own facets identify.
   Periodicity after(const Periodicity& p, const std::vector<Link>& links) {
@@ -242,8 +239,8 @@ class PairCarrier {
         continue;
       }
       std::vector<Link> found;
-      for (const std::uint32_t one : ones)
-        for (const std::uint32_t other : others)
+      for (const Index one : ones)
+        for (const Index other : others)
           if (std::binary_search(links.begin(), links.end(), Link{one, other}))
             found.push_back({one, other});
       if (found.empty()) found = by_way_of_others(p, pair, ones, others);
@@ -256,11 +253,11 @@ class PairCarrier {
 
   // Copies that facets of other periodicities identify, one after the other.
   std::vector<Link> by_way_of_others(const Periodicity& p, const Periodicity::Pair& pair,
-                                     const std::vector<std::uint32_t>& ones,
-                                     const std::vector<std::uint32_t>& others) {
+                                     const std::vector<Index>& ones,
+                                     const std::vector<Index>& others) {
     std::vector<Link> found;
-    for (const std::uint32_t one : ones)
-      for (const std::uint32_t other : others)
+    for (const Index one : ones)
+      for (const Index other : others)
         if (root(one) == root(other)) found.push_back({one, other});
     bool one_to_one = !found.empty();
     for (const Link& a : found)
@@ -285,9 +282,9 @@ class PairCarrier {
       for (const auto& pair : p.pairs) paired[pair.vertex] = paired[pair.master] = true;
     std::sort(split_.begin(), split_.end());
     split_.erase(std::unique(split_.begin(), split_.end()), split_.end());
-    split_.erase(std::remove_if(split_.begin(), split_.end(),
-                                [&](std::uint32_t place) { return paired[place]; }),
-                 split_.end());
+    split_.erase(
+        std::remove_if(split_.begin(), split_.end(), [&](Index place) { return paired[place]; }),
+        split_.end());
     if (split_.empty()) return;
     output_.warnings.push_back(fmt::format(
         "{} on no facet of the periodic boundary and in no periodic pair, such as {} of vertex {}",
@@ -300,10 +297,10 @@ class PairCarrier {
   const Mesh& mesh_;
   const topology::FacetSet& scored_;
   CutOutput& output_;
-  std::vector<HalfFacetId> boundary_;                               // of the file's cells
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> by_origin_;  // origin, place in the output
-  std::vector<std::uint32_t> component_;  // union-find over the output's points
-  std::vector<std::uint32_t> split_;      // the copies of points of pairs that have several
+  std::vector<HalfFacetId> boundary_;               // of the file's cells
+  std::vector<std::pair<Index, Index>> by_origin_;  // origin, place in the output
+  std::vector<Index> component_;                    // union-find over the output's points
+  std::vector<Index> split_;  // the copies of points of pairs that have several
 };
 
 }  // namespace

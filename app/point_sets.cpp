@@ -65,13 +65,12 @@ void join_neighbours(const std::vector<Box>& boxes, const std::vector<Point>& so
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> close_points(const std::vector<Point>& points,
-                                                     const std::vector<std::uint32_t>& places,
-                                                     double distance) {
+std::vector<std::vector<Index>> close_points(const std::vector<Point>& points,
+                                             const std::vector<Index>& places, double distance) {
   const double side = distance / 1.75;  // a box's diagonal, the root of 3 times that, is shorter
-  std::vector<std::pair<Point, std::uint32_t>> keyed;
+  std::vector<std::pair<Point, Index>> keyed;
   keyed.reserve(places.size());
-  for (const std::uint32_t place : places) keyed.emplace_back(key_of(points[place], side), place);
+  for (const Index place : places) keyed.emplace_back(key_of(points[place], side), place);
   std::sort(keyed.begin(), keyed.end());
   std::vector<Box> boxes;
   std::vector<Point> sorted;
@@ -83,11 +82,11 @@ std::vector<std::vector<std::uint32_t>> close_points(const std::vector<Point>& p
   Sets sets(boxes.size());
   if (distance > 0) join_neighbours(boxes, sorted, distance, sets);
 
-  std::vector<std::vector<std::uint32_t>> by_root(boxes.size());
+  std::vector<std::vector<Index>> by_root(boxes.size());
   for (std::size_t b = 0; b < boxes.size(); ++b)
     for (std::size_t i = boxes[b].begin; i < boxes[b].end; ++i)
       by_root[sets.find(b)].push_back(keyed[i].second);
-  std::vector<std::vector<std::uint32_t>> together;
+  std::vector<std::vector<Index>> together;
   for (auto& set : by_root) {
     if (set.size() < 2) continue;
     std::sort(set.begin(), set.end());

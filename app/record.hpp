@@ -34,12 +34,12 @@ struct NumberRun {
 /// Mesh::points, of elements in Mesh::elements of their dimension.
 struct OriginalRecord {
   struct Point {
-    std::uint32_t place;
+    Index place;
     std::array<double, 3> point;
   };
   struct Element {  // that OUT does not have
-    std::uint32_t place;
-    std::vector<std::uint32_t> vertices, midside;  // places of points
+    Index place;
+    std::vector<Index> vertices, midside;  // places of points
   };
   struct Elements {
     std::uint64_t count = 0;         // of the original
@@ -50,8 +50,8 @@ struct OriginalRecord {
     std::string name;
     int dimension = 0;
     std::int32_t tag = 0;
-    std::vector<std::uint32_t> added, removed;  // against the group of OUT with this name, from
-                                                // which elements that are new in OUT are left out
+    std::vector<Index> added, removed;  // against the group of OUT with this name, from
+                                        // which elements that are new in OUT are left out
   };
   struct Field {
     std::string name;
@@ -88,14 +88,14 @@ Held held_by(const std::filesystem::path& path, const Mesh& out);
 /// Elements of `out` that are in `original` come first, in its order, and have its numbers. Time:
 /// linear, and sorting numbers.
 OriginalRecord describe_original(const Mesh& original, const Mesh& out,
-                                 const std::vector<std::uint32_t>& origin, Held held);
+                                 const std::vector<Index>& origin, Held held);
 
 /// The mesh that was cut. Throws InputError, which begins with `source`, the name of the record, if
 /// the record does not fit `out`. Time and memory: linear in `out` and the record.
 Mesh restore_original(const OriginalRecord& record, const Mesh& out, const std::string& source);
 
 /// Two half-facets of the original that are mates there.
-using FacetSides = std::pair<std::uint32_t, std::uint32_t>;
+using FacetSides = std::pair<Index, Index>;
 
 struct IncisionRecord {
   std::map<std::string, std::string> sha256;  // of the files that OUT is: by what their names have
@@ -105,7 +105,7 @@ struct IncisionRecord {
   OriginalRecord original;
   std::vector<FacetSides> opened, shut;  // the scored facets, lesser half-facet first, ascending
   std::vector<std::string> groups;       // facet groups of the original asked for, by name
-  std::vector<std::uint32_t> others;     // scored facets asked for otherwise: lesser half-facets
+  std::vector<Index> others;             // scored facets asked for otherwise: lesser half-facets
   bool cohesive = false;                 // OUT has cohesive elements between the sides
   double offset = 0;                     // by which the sides are apart in OUT
 };

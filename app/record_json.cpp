@@ -103,19 +103,19 @@ Json json_of(const std::vector<FacetSides>& facets) {
 
 // Reading: what JsonValue does not know.
 
-std::uint32_t id(const JsonValue& value) {
+Index id(const JsonValue& value) {
   const std::uint64_t number = value.count();
-  if (number >= std::numeric_limits<std::uint32_t>::max()) value.fail("the number is too large");
-  return static_cast<std::uint32_t>(number);
+  if (number >= topology::kNoIndex) value.fail("the number is too large");
+  return static_cast<Index>(number);
 }
 
-std::vector<std::uint32_t> ids(const JsonValue& value) {
-  std::vector<std::uint32_t> list;
+std::vector<Index> ids(const JsonValue& value) {
+  std::vector<Index> list;
   for (const JsonValue& item : value.items()) list.push_back(id(item));
   return list;
 }
 
-std::vector<std::uint32_t> ascending_ids(const JsonValue& value) {
+std::vector<Index> ascending_ids(const JsonValue& value) {
   auto list = ids(value);
   for (std::size_t i = 1; i < list.size(); ++i)
     if (list[i] <= list[i - 1]) value.fail("the numbers must ascend");

@@ -32,17 +32,17 @@ bool distinct_and_positive(const Mesh& mesh) {
 }
 
 // For each element of the original its place in OUT; kNoPlace for those that are gone.
-std::vector<std::uint32_t> places_in_out(const Elements& original, const Elements& out) {
-  std::vector<std::uint32_t> place(original.size(), kNoPlace);
-  std::uint32_t next = 0;
+std::vector<Index> places_in_out(const Elements& original, const Elements& out) {
+  std::vector<Index> place(original.size(), kNoPlace);
+  Index next = 0;
   for (std::size_t e = 0; e < original.size(); ++e)
     if (next < out.size() && out.numbers[next] == original.numbers[e]) place[e] = next++;
   return place;
 }
 
 // Whether `elements` are those of OUT at `place`, by the points they come from.
-bool agree(const std::vector<std::uint32_t>& vertices, const std::vector<std::uint32_t>& in_out,
-           std::size_t width, const std::vector<std::uint32_t>& place, const Origins& origins) {
+bool agree(const std::vector<Index>& vertices, const std::vector<Index>& in_out, std::size_t width,
+           const std::vector<Index>& place, const Origins& origins) {
   for (std::size_t e = 0; e < place.size(); ++e)
     for (std::size_t i = 0; place[e] != kNoPlace && i < width; ++i)
       if (origins.of[in_out[width * place[e] + i]] != vertices[width * e + i]) return false;
@@ -50,7 +50,7 @@ bool agree(const std::vector<std::uint32_t>& vertices, const std::vector<std::ui
 }
 
 OriginalRecord::Elements describe_elements(const Elements& original, const Elements& out,
-                                           int dimension, const std::vector<std::uint32_t>& place,
+                                           int dimension, const std::vector<Index>& place,
                                            bool numbers_held, const Origins& origins) {
   const auto corners = static_cast<std::size_t>(dimension) + 1, edges = corners * (corners - 1) / 2;
   if (!agree(original.vertices, out.vertices, corners, place, origins) ||
@@ -58,9 +58,9 @@ OriginalRecord::Elements describe_elements(const Elements& original, const Eleme
     throw topology::InvariantBroken("an element of the output is not where its original was");
   OriginalRecord::Elements record;
   record.count = original.size();
-  for (std::uint32_t e = 0; e < original.size(); ++e) {
+  for (Index e = 0; e < original.size(); ++e) {
     if (place[e] == kNoPlace) {
-      const auto slice = [&](const std::vector<std::uint32_t>& all, std::size_t width) {
+      const auto slice = [&](const std::vector<Index>& all, std::size_t width) {
         const auto from = all.begin() + static_cast<std::ptrdiff_t>(width * e);
         return std::vector(from, from + static_cast<std::ptrdiff_t>(width));
       };
@@ -73,14 +73,14 @@ OriginalRecord::Elements describe_elements(const Elements& original, const Eleme
 }
 
 OriginalRecord::Group describe_group(const Group& group, const Mesh& out,
-                                     const std::vector<std::uint32_t>& place) {
-  std::vector<std::uint32_t> expected;  // of those that OUT has
+                                     const std::vector<Index>& place) {
+  std::vector<Index> expected;  // of those that OUT has
   const auto same = [&](const Group& g) {
     return g.dimension == group.dimension && g.name == group.name;
   };
   const auto in_out = std::find_if(out.groups.begin(), out.groups.end(), same);
   if (in_out != out.groups.end())
-    for (std::uint32_t e = 0; e < place.size(); ++e)
+    for (Index e = 0; e < place.size(); ++e)
       if (place[e] != kNoPlace &&
           std::binary_search(in_out->elements.begin(), in_out->elements.end(), place[e]))
         expected.push_back(e);
@@ -95,7 +95,7 @@ OriginalRecord::Group describe_group(const Group& group, const Mesh& out,
 // Fields of entities that are in OUT at `place`.
 std::vector<OriginalRecord::Field> describe_fields(const std::vector<Field>& fields,
                                                    const std::vector<Field>& out,
-                                                   const std::vector<std::uint32_t>& place) {
+                                                   const std::vector<Index>& place) {
   std::vector<OriginalRecord::Field> records;
   for (const Field& field : fields) {
     auto& record = records.emplace_back();
@@ -126,7 +126,7 @@ bool are_marks(const Mesh& out) {
   std::vector<bool> grouped(elements.size());
   for (const Group& group : out.groups)
     if (group.dimension == 0)
-      for (const std::uint32_t e : group.elements) grouped[e] = true;
+      for (const Index e : group.elements) grouped[e] = true;
   for (std::size_t e = 0; e < elements.size(); ++e)
     if (!grouped[e] || (e > 0 && elements.vertices[e] <= elements.vertices[e - 1])) return false;
   return true;
@@ -147,19 +147,19 @@ Held held_by(const std::filesystem::path& path, const Mesh& out) {
 }
 
 OriginalRecord describe_original(const Mesh& original, const Mesh& out,
-                                 const std::vector<std::uint32_t>& origin, Held held) {
+                                 const std::vector<Index>& origin, Held held) {
   const Origins origins(origin, original.points.size());
   OriginalRecord record;
   record.vertices = original.points.size();
-  for (const std::uint32_t place : origin) {
+  for (const Index place : origin) {
     auto& runs = record.origins;
     if (!runs.empty() && runs.back().first + runs.back().count == place)
       ++runs.back().count;
     else
       runs.push_back({place, 1});
   }
-  for (std::uint32_t p = 0; p < original.points.size(); ++p) {
-    const std::uint32_t stays = origins.first[p];
+  for (Index p = 0; p < original.points.size(); ++p) {
+    const Index stays = origins.first[p];
     if (stays == kNoPlace || !same_bits(out.points[stays].data(), original.points[p].data(), 3))
       record.points.push_back({p, original.points[p]});
     if (stays == kNoPlace || out.vertex_numbers[stays] != original.vertex_numbers[p])
@@ -167,7 +167,7 @@ OriginalRecord describe_original(const Mesh& original, const Mesh& out,
   }
 
   const bool numbers_held = held.numbers && distinct_and_positive(out);
-  std::array<std::vector<std::uint32_t>, 4> place;
+  std::array<std::vector<Index>, 4> place;
   for (std::size_t d = 0; d <= static_cast<std::size_t>(original.dimension); ++d) {
     place[d] = places_in_out(original.elements[d], out.elements[d]);
     if (!held.elements[d] && d < static_cast<std::size_t>(original.dimension))

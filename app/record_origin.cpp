@@ -6,9 +6,9 @@
 
 namespace cleave::app {
 
-Origins::Origins(std::vector<std::uint32_t> of_points, std::size_t places)
+Origins::Origins(std::vector<Index> of_points, std::size_t places)
     : of(std::move(of_points)), first(places, kNoPlace) {
-  for (std::uint32_t point = 0; point < of.size(); ++point)
+  for (Index point = 0; point < of.size(); ++point)
     if (first[of[point]] == kNoPlace) first[of[point]] = point;
 }
 
@@ -18,7 +18,7 @@ std::vector<Periodicity> without_copies(const std::vector<Periodicity>& periodic
   for (const Periodicity& condition : periodic) {
     Periodicity& mapped = result.emplace_back(condition);
     mapped.pairs.clear();
-    std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
+    std::set<std::pair<Index, Index>> seen;
     for (const auto& pair : condition.pairs) {
       const Periodicity::Pair original{origins.of[pair.vertex], origins.of[pair.master]};
       if (seen.emplace(original.vertex, original.master).second) mapped.pairs.push_back(original);

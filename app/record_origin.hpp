@@ -9,10 +9,10 @@ namespace cleave::app {
 
 /// Which points of an output come from which place of the original.
 struct Origins {
-  std::vector<std::uint32_t> of;     // per point of the output: its place in the original
-  std::vector<std::uint32_t> first;  // per place: the first point from there; kNoPlace: none
+  std::vector<Index> of;     // per point of the output: its place in the original
+  std::vector<Index> first;  // per place: the first point from there; kNoPlace: none
 
-  Origins(std::vector<std::uint32_t> of_points, std::size_t places);
+  Origins(std::vector<Index> of_points, std::size_t places);
 };
 
 /// Pairs of the output as the original names them, each once.

@@ -24,7 +24,7 @@ class Restoration {
     mesh.msh_version = record_.msh_version;
     mesh.msh_binary = record_.msh_binary;
     restore_points(mesh);
-    std::array<std::vector<std::uint32_t>, 4> place;  // in OUT, of each element; kNoPlace: none
+    std::array<std::vector<Index>, 4> place;  // in OUT, of each element; kNoPlace: none
     for (std::size_t d = 0; d < 4; ++d)
       mesh.elements[d] = elements(static_cast<int>(d), record_.elements[d], place[d]);
     if (mesh.cells().size() != out_.cells().size()) fail("it has another number of cells");
@@ -54,21 +54,20 @@ class Restoration {
   Origins origins_of_points() const {
     if (record_.vertices > out_.points.size() + record_.points.size())
       fail("it speaks of more vertices than there are");
-    std::vector<std::uint32_t> of;
+    std::vector<Index> of;
     of.reserve(out_.points.size());
     for (const Run& run : record_.origins) {
       if (run.count > out_.points.size() - of.size() || run.first > record_.vertices ||
           run.count > record_.vertices - run.first)
         fail("it speaks of vertices that are not there");
-      for (std::uint64_t i = 0; i < run.count; ++i)
-        of.push_back(static_cast<std::uint32_t>(run.first + i));
+      for (std::uint64_t i = 0; i < run.count; ++i) of.push_back(static_cast<Index>(run.first + i));
     }
     if (of.size() != out_.points.size()) fail("it has another number of vertices");
     return {std::move(of), static_cast<std::size_t>(record_.vertices)};
   }
 
-  void require_places(const std::vector<std::uint32_t>& places) const {
-    for (const std::uint32_t place : places)
+  void require_places(const std::vector<Index>& places) const {
+    for (const Index place : places)
       if (place >= record_.vertices) fail("an element has a vertex that is not there");
   }
 
@@ -77,7 +76,7 @@ class Restoration {
     mesh.vertex_numbers.resize(record_.vertices);
     std::vector<bool> known(record_.vertices);
     for (std::size_t p = 0; p < known.size(); ++p) {
-      const std::uint32_t from = origins_.first[p];
+      const Index from = origins_.first[p];
       if (from == kNoPlace) continue;
       known[p] = true;
       mesh.points[p] = out_.points[from];
@@ -106,7 +105,7 @@ class Restoration {
   }
 
   Elements elements(int dimension, const OriginalRecord::Elements& record,
-                    std::vector<std::uint32_t>& place) const {
+                    std::vector<Index>& place) const {
     const Elements& out = out_.elements[static_cast<std::size_t>(dimension)];
     const auto corners = static_cast<std::size_t>(dimension) + 1,
                edges = corners * (corners - 1) / 2;
@@ -116,9 +115,9 @@ class Restoration {
                                   ? out.second_order()
                                   : !record.gone.empty() && !record.gone.front().midside.empty();
     Elements restored;
-    std::uint32_t next = 0;
+    Index next = 0;
     auto gone = record.gone.begin();
-    for (std::uint32_t e = 0; e < record.count; ++e) {
+    for (Index e = 0; e < record.count; ++e) {
       if (gone != record.gone.end() && gone->place == e) {
         if (gone->vertices.size() != corners || gone->midside.size() != (second_order ? edges : 0))
           fail("an element has the wrong number of vertices");
@@ -144,24 +143,23 @@ class Restoration {
     return restored;
   }
 
-  static void add(std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& more) {
+  static void add(std::vector<Index>& to, const std::vector<Index>& more) {
     to.insert(to.end(), more.begin(), more.end());
   }
 
-  Group restored(const OriginalRecord::Group& record,
-                 const std::vector<std::uint32_t>& place) const {
+  Group restored(const OriginalRecord::Group& record, const std::vector<Index>& place) const {
     Group group{record.name, record.dimension, record.tag, {}};
     const auto same = [&](const Group& g) {
       return g.dimension == record.dimension && g.name == record.name;
     };
     const auto in_out = std::find_if(out_.groups.begin(), out_.groups.end(), same);
-    const auto in_group = [&](std::uint32_t e) {
+    const auto in_group = [&](Index e) {
       if (std::binary_search(record.added.begin(), record.added.end(), e)) return true;
       return in_out != out_.groups.end() && place[e] != kNoPlace &&
              std::binary_search(in_out->elements.begin(), in_out->elements.end(), place[e]) &&
              !std::binary_search(record.removed.begin(), record.removed.end(), e);
     };
-    for (std::uint32_t e = 0; e < place.size(); ++e)
+    for (Index e = 0; e < place.size(); ++e)
       if (in_group(e)) group.elements.push_back(e);
     if (!record.added.empty() && record.added.back() >= place.size())
       fail("a group has an element that is not there");
@@ -169,8 +167,7 @@ class Restoration {
   }
 
   std::vector<Field> fields(const std::vector<OriginalRecord::Field>& records,
-                            const std::vector<Field>& out,
-                            const std::vector<std::uint32_t>& place) const {
+                            const std::vector<Field>& out, const std::vector<Index>& place) const {
     std::vector<Field> fields;
     for (const auto& record : records) {
       const auto same = [&](const Field& f) {
@@ -186,7 +183,7 @@ class Restoration {
         fail(fmt::format("the field {} has another number of values", record.name));
       Field& field = fields.emplace_back(Field{record.name, record.components, {}, record.integer});
       auto next = record.values.begin();
-      for (const std::uint32_t at : place) {
+      for (const Index at : place) {
         const bool held = record.held && at != kNoPlace;
         const auto from =
             held ? in_out->values.begin() + static_cast<std::ptrdiff_t>(width * at) : next;

@@ -10,7 +10,7 @@
 namespace cleave::app {
 namespace {
 
-using Places = std::vector<std::uint32_t>;
+using Places = std::vector<Index>;
 
 Places united(const Places& a, const Places& b) {
   Places both;
@@ -39,14 +39,14 @@ class Reducer {
         corners_(static_cast<std::size_t>(mesh.dimension) + 1),
         tuples_(mesh.cells().vertices),
         cells_at_(mesh.points.size()) {
-    for (std::uint32_t c = 0; c < mesh.cells().size(); ++c)
+    for (Index c = 0; c < mesh.cells().size(); ++c)
       for (std::size_t i = 0; i < corners_; ++i) {
         Places& at = cells_at_[tuples_[corners_ * c + i]];
         if (at.empty() || at.back() != c) at.push_back(c);
       }
     best_.rest.cells = first(mesh.cells().size());
     best_.rest.facets = first(property.facets);
-    for (std::uint32_t v = 0; v < mesh.points.size(); ++v)
+    for (Index v = 0; v < mesh.points.size(); ++v)
       if (cells_at_[v].empty()) best_.rest.loose.push_back(v);
     drop_midsides(mesh);
   }
@@ -91,7 +91,7 @@ class Reducer {
 
   Places around(const Places& vertices) const {
     Places cells;
-    for (const std::uint32_t v : vertices)
+    for (const Index v : vertices)
       cells.insert(cells.end(), cells_at_[v].begin(), cells_at_[v].end());
     std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
@@ -100,7 +100,7 @@ class Reducer {
 
   Places vertices_of(const Places& cells) const {
     Places vertices;
-    for (const std::uint32_t c : cells)
+    for (const Index c : cells)
       vertices.insert(vertices.end(), &tuples_[corners_ * c], &tuples_[corners_ * c] + corners_);
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
@@ -130,17 +130,17 @@ class Reducer {
     std::vector<Places> all;
     Places left = best_.rest.cells;
     std::vector<bool> is_left(tuples_.size() / corners_, false), seen(cells_at_.size(), false);
-    for (const std::uint32_t c : left) is_left[c] = true;
-    for (const std::uint32_t start : left) {
+    for (const Index c : left) is_left[c] = true;
+    for (const Index start : left) {
       if (!is_left[start]) continue;
       is_left[start] = false;
       Places piece{start};
       for (std::size_t i = 0; i < piece.size(); ++i)
         for (std::size_t k = 0; k < corners_; ++k) {
-          const std::uint32_t v = tuples_[corners_ * piece[i] + k];
+          const Index v = tuples_[corners_ * piece[i] + k];
           if (seen[v]) continue;
           seen[v] = true;
-          for (const std::uint32_t next : cells_at_[v])
+          for (const Index next : cells_at_[v])
             if (is_left[next]) {
               is_left[next] = false;
               piece.push_back(next);

@@ -12,26 +12,26 @@ namespace cleave::app {
 
 /// What is left of a mesh, and of a request to cut it. All ascending.
 struct Candidate {
-  std::vector<std::uint32_t> cells;   // places among the cells; never empty
-  std::vector<std::uint32_t> loose;   // vertices that no cell of the whole mesh uses
-  std::vector<std::uint32_t> facets;  // places in the request
+  std::vector<Index> cells;   // places among the cells; never empty
+  std::vector<Index> loose;   // vertices that no cell of the whole mesh uses
+  std::vector<Index> facets;  // places in the request
 };
 
 /// Whether a candidate still shows it; if not, which vertices (places in mesh.points) stand in the
 /// way, if any: the cells around them may help.
 struct Judgement {
   bool holds = false;
-  std::vector<std::uint32_t> blame;
+  std::vector<Index> blame;
 };
 
 /// Something that a mesh shows.
 struct Property {
   std::string what;  // one line, in the numbers of the mesh
   std::function<Judgement(const Candidate&)> judge;
-  std::vector<std::uint32_t> seed;  // cells where it shows, ascending; empty: nobody knows
-  std::vector<std::uint32_t> kept;  // of these, the cells that it is about: they stay, ascending
-  std::size_t facets = 0;           // size of the request
-  std::vector<std::uint32_t> kept_facets;  // places in the request that stay
+  std::vector<Index> seed;         // cells where it shows, ascending; empty: nobody knows
+  std::vector<Index> kept;         // of these, the cells that it is about: they stay, ascending
+  std::size_t facets = 0;          // size of the request
+  std::vector<Index> kept_facets;  // places in the request that stay
 };
 
 struct Reduction {

@@ -30,7 +30,7 @@ struct ReduceOptions {
 std::string facets_path(const std::string& out) { return out + ".facets.json"; }
 
 // The file's number of the vertex at place `place` of a mesh with these numbers.
-std::uint64_t number(const Mesh& mesh, std::uint32_t place, Numbering numbering) {
+std::uint64_t number(const Mesh& mesh, Index place, Numbering numbering) {
   if (numbering == Numbering::kept) return mesh.vertex_numbers[place];
   return place + (numbering == Numbering::from_one ? 1U : 0U);
 }
@@ -40,12 +40,12 @@ std::uint64_t number(const Mesh& mesh, std::uint32_t place, Numbering numbering)
 std::string facets_json(const CutProperty& cut, const Candidate& rest, const SubMesh& part,
                         Numbering numbering) {
   auto facets = nlohmann::ordered_json::array();
-  for (const std::uint32_t f : rest.facets) {
+  for (const Index f : rest.facets) {
     auto facet = nlohmann::ordered_json::array();
-    for (const std::uint32_t v : cut.request[f]) {
+    for (const Index v : cut.request[f]) {
       const auto at = std::lower_bound(part.place.begin(), part.place.end(), v);
       if (at == part.place.end() || *at != v) break;
-      const auto place = static_cast<std::uint32_t>(at - part.place.begin());
+      const auto place = static_cast<Index>(at - part.place.begin());
       facet.push_back(number(part.mesh, place, numbering));
     }
     if (facet.size() == cut.request[f].size()) facets.push_back(std::move(facet));

@@ -51,8 +51,8 @@ struct AfterCut {
 };
 
 struct PinchedEdge {
-  std::array<std::uint32_t, 2> places;  // of its ends in the mesh of the body, ascending
-  std::vector<std::uint32_t> cells;     // of two parts around it, ascending
+  std::array<Index, 2> places;  // of its ends in the mesh of the body, ascending
+  std::vector<Index> cells;     // of two parts around it, ascending
 };
 
 template <int D>
@@ -60,7 +60,7 @@ std::vector<PinchedEdge> pinched_edges(const Body<D>& body, const AfterCut<D>& a
   topology::CellSoup<D> soup{{after.complex.cells().begin(), after.complex.cells().end()},
                              after.complex.vertex_count(),
                              {}};
-  for (std::uint32_t c = 0; c < soup.cells.size(); ++c)
+  for (Index c = 0; c < soup.cells.size(); ++c)
     soup.signs.push_back(static_cast<std::int8_t>(after.complex.sign({c})));
   std::vector<PinchedEdge> edges;
   for (const auto& violation : check(soup, topology::Level::edge_regular)) {
@@ -78,10 +78,10 @@ std::vector<PinchedEdge> pinched_edges(const Body<D>& body, const AfterCut<D>& a
 
 // The half-facet of a part that was `h` in the whole; none if its cell is not in the part.
 template <int D>
-std::optional<HalfFacetId> in_part(HalfFacetId h, const std::vector<std::uint32_t>& cells) {
+std::optional<HalfFacetId> in_part(HalfFacetId h, const std::vector<Index>& cells) {
   const auto at = std::lower_bound(cells.begin(), cells.end(), topology::cell_of<D>(h).value);
   if (at == cells.end() || *at != topology::cell_of<D>(h).value) return std::nullopt;
-  return topology::half_facet<D>({static_cast<std::uint32_t>(at - cells.begin())},
+  return topology::half_facet<D>({static_cast<Index>(at - cells.begin())},
                                  topology::local_index<D>(h));
 }
 
@@ -99,7 +99,7 @@ struct CutPart {
 
   static std::vector<HalfFacetId> inner(const Candidate& candidate, const Sides& sides) {
     std::vector<HalfFacetId> facets;
-    for (const std::uint32_t f : candidate.facets) {
+    for (const Index f : candidate.facets) {
       const auto one = in_part<D>(sides.one[f], candidate.cells);
       if (one && in_part<D>(sides.other[f], candidate.cells)) facets.push_back(*one);
     }
@@ -132,7 +132,7 @@ CutProperty property_of(const Mesh& mesh, const CutRequest& request, CutOutcome 
   for (const HalfFacetId h : facets.half_facets()) {
     sides->one.push_back(h);
     sides->other.push_back(*body.complex.mate(h));
-    std::vector<std::uint32_t> vertices;
+    std::vector<Index> vertices;
     for (const VertexId v : body.complex.facet(h)) vertices.push_back(body.place(v));
     result.request.push_back(std::move(vertices));
   }
@@ -146,7 +146,7 @@ CutProperty property_of(const Mesh& mesh, const CutRequest& request, CutOutcome 
     const HalfFacetId shut = after.change.shut.front();
     property.what = fmt::format("facet ({}) stays shut", listed(facet_vertices(mesh, shut)));
     const auto at = std::find(sides->one.begin(), sides->one.end(), shut);
-    property.kept_facets = {static_cast<std::uint32_t>(at - sides->one.begin())};
+    property.kept_facets = {static_cast<Index>(at - sides->one.begin())};
     property.kept = {topology::cell_of<D>(shut).value,
                      topology::cell_of<D>(sides->other[property.kept_facets[0]]).value};
     for (const auto& because : explain(after.complex, FacetSet::of_lesser(after.change.shut), shut))

@@ -12,9 +12,9 @@ std::vector<std::uint64_t> numbers_in(const WitnessValue& value) {
 }
 
 // The places of the numbers that the witness has under one of these keys.
-std::vector<std::uint32_t> places(const Finding& finding, const std::set<std::string>& keys,
-                                  const std::unordered_map<std::uint64_t, std::uint32_t>& at) {
-  std::vector<std::uint32_t> result;
+std::vector<Index> places(const Finding& finding, const std::set<std::string>& keys,
+                          const std::unordered_map<std::uint64_t, Index>& at) {
+  std::vector<Index> result;
   for (const auto& [key, value] : finding.witness) {
     if (keys.count(key) == 0) continue;
     for (const std::uint64_t number : numbers_in(value)) {
@@ -34,28 +34,26 @@ KnownFindings::KnownFindings(const Mesh& mesh, topology::Level required) {
   settings_.betti = CountHoles::never;
   report_ = check_mesh(mesh, settings_);
   for (const Finding& finding : report_.findings) rules_.insert(finding.rule);
-  for (std::uint32_t v = 0; v < mesh.vertex_numbers.size(); ++v)
+  for (Index v = 0; v < mesh.vertex_numbers.size(); ++v)
     vertex_at_.emplace(mesh.vertex_numbers[v], v);
-  for (std::uint32_t c = 0; c < mesh.cells().size(); ++c)
-    cell_at_.emplace(mesh.cells().numbers[c], c);
+  for (Index c = 0; c < mesh.cells().size(); ++c) cell_at_.emplace(mesh.cells().numbers[c], c);
 }
 
 std::vector<Finding> KnownFindings::of(const SubMesh& part) const {
   return check_mesh(part.mesh, settings_).findings;
 }
 
-std::vector<std::uint32_t> KnownFindings::vertices(const Finding& finding) const {
+std::vector<Index> KnownFindings::vertices(const Finding& finding) const {
   return places(finding, {"vertex", "vertices", "edge", "facet"}, vertex_at_);
 }
 
-std::vector<std::uint32_t> KnownFindings::cells(const Finding& finding) const {
+std::vector<Index> KnownFindings::cells(const Finding& finding) const {
   return places(finding, {"cell", "cells"}, cell_at_);
 }
 
-std::vector<std::uint32_t> KnownFindings::blame(const std::vector<Finding>& findings,
-                                                bool& any) const {
+std::vector<Index> KnownFindings::blame(const std::vector<Finding>& findings, bool& any) const {
   any = false;
-  std::vector<std::uint32_t> all;
+  std::vector<Index> all;
   for (const Finding& finding : findings) {
     if (has_rule(finding.rule)) continue;
     any = true;

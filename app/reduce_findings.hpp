@@ -25,19 +25,19 @@ class KnownFindings {
   bool has_rule(const std::string& rule) const { return rules_.count(rule) != 0; }
 
   /// The vertices (places in the mesh) that the witness of a finding names itself.
-  std::vector<std::uint32_t> vertices(const Finding& finding) const;
+  std::vector<Index> vertices(const Finding& finding) const;
 
   /// The cells (places in the mesh) that the witness names, ascending.
-  std::vector<std::uint32_t> cells(const Finding& finding) const;
+  std::vector<Index> cells(const Finding& finding) const;
 
   /// The vertices of all findings whose rule the mesh has none of; sets `any` if there are any.
-  std::vector<std::uint32_t> blame(const std::vector<Finding>& findings, bool& any) const;
+  std::vector<Index> blame(const std::vector<Finding>& findings, bool& any) const;
 
  private:
   CheckSettings settings_;
   CheckReport report_;
   std::set<std::string> rules_;
-  std::unordered_map<std::uint64_t, std::uint32_t> vertex_at_, cell_at_;  // by the file's number
+  std::unordered_map<std::uint64_t, Index> vertex_at_, cell_at_;  // by the file's number
 };
 
 }  // namespace cleave::app

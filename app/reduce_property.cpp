@@ -114,7 +114,7 @@ Property finding_property(const Mesh& mesh, const std::string& rule, topology::L
     const auto corners = static_cast<std::size_t>(mesh.dimension) + 1;
     const auto& tuples = mesh.cells().vertices;
     for (std::size_t i = 0; i < tuples.size(); ++i) {
-      const auto cell = static_cast<std::uint32_t>(i / corners);
+      const auto cell = static_cast<Index>(i / corners);
       if (std::binary_search(at.begin(), at.end(), tuples[i]) &&
           (property.seed.empty() || property.seed.back() != cell))
         property.seed.push_back(cell);

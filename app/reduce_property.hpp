@@ -33,7 +33,7 @@ struct CutRequest {
 /// its interior facets.
 struct CutProperty {
   Property property;
-  std::vector<std::vector<std::uint32_t>> request;
+  std::vector<std::vector<Index>> request;
 };
 
 /// That a cut of the request leaves the first shut facet shut, or the first pinched edge pinched;

@@ -11,7 +11,7 @@ void write_reproducer(const std::filesystem::path& path, const topology::Complex
                       const topology::FacetSet& cut, const std::string& message) {
   using Json = nlohmann::ordered_json;
   Json cells = Json::array(), signs = Json::array(), facets = Json::array();
-  for (std::uint32_t c = 0; c < before.cell_count(); ++c) {
+  for (Index c = 0; c < before.cell_count(); ++c) {
     Json tuple = Json::array();
     for (const auto v : before.vertices({c})) tuple.push_back(v.value);
     cells.push_back(std::move(tuple));

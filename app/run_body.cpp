@@ -34,13 +34,13 @@ std::vector<topology::PinchedSimplex> pinched_in(const topology::CellSoup<3>& so
 
 std::size_t used_vertices(const Mesh& mesh) {
   std::vector<bool> used(mesh.points.size(), false);
-  for (const std::uint32_t place : mesh.cells().vertices) used[place] = true;
+  for (const Index place : mesh.cells().vertices) used[place] = true;
   return static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
 }
 
 std::size_t used_vertices(const topology::Complex<3>& k) {
   std::size_t count = 0;
-  for (std::uint32_t v = 0; v < k.vertex_count(); ++v)
+  for (Index v = 0; v < k.vertex_count(); ++v)
     if (k.a_corner({v})) ++count;
   return count;
 }
@@ -60,7 +60,7 @@ std::size_t count_pinched_edges(const topology::Complex<3>& k) {
   topology::CellSoup<3> soup;
   soup.cells.assign(k.cells().begin(), k.cells().end());
   soup.vertex_count = k.vertex_count();
-  for (std::uint32_t c = 0; c < k.cell_count(); ++c)
+  for (Index c = 0; c < k.cell_count(); ++c)
     soup.signs.push_back(static_cast<std::int8_t>(k.sign({c})));
   return pinched_in(soup).size();
 }

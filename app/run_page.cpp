@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "cleave/topology/summary.hpp"
+#include "error.hpp"
 
 namespace cleave::app {
 namespace {
@@ -22,30 +23,33 @@ std::string material_name(const MaterialSpec& material) {
                      poisson);
 }
 
+// The page holds 32 bits of each number; new_page has refused meshes that need more.
+std::uint32_t page_number(Index id) { return static_cast<std::uint32_t>(id); }
+
 PageFinding regularised(const Body<3>& body) {
   PageFinding finding{"Regularised vertices", {}};
   for (const auto& split : body.regularized)
     finding.marks.push_back(
         {fmt::format("vertex {}", body.mesh->vertex_numbers[split.parent.value]),
-         {split.vertex.value}});
+         {page_number(split.vertex.value)}});
   return finding;
 }
 
 // The edge's vertices among those of a cell that has it: copies share the number of their parent.
 std::vector<std::uint32_t> vertices_of_edge(const PinchedEdge& edge, const Body<3>& body,
-                                            std::uint32_t cell) {
+                                            Index cell) {
   std::vector<std::uint32_t> ends;
   for (const std::uint64_t number : edge.vertices)
     for (const VertexId v : body.complex.vertices({cell}))
-      if (body.number(v) == number) ends.push_back(v.value);
+      if (body.number(v) == number) ends.push_back(page_number(v.value));
   return ends;
 }
 
 PageFinding pinched(const Body<3>& body, const RunReport& report) {
   PageFinding finding{"Pinched edges", {}};
-  std::unordered_map<std::uint64_t, std::uint32_t> place_of_cell;
+  std::unordered_map<std::uint64_t, Index> place_of_cell;
   if (!report.pinched_edges.empty())
-    for (std::uint32_t c = 0; c < body.complex.cell_count(); ++c)
+    for (Index c = 0; c < body.complex.cell_count(); ++c)
       place_of_cell.emplace(body.mesh->cells().numbers[c], c);
   for (const PinchedEdge& edge : report.pinched_edges)
     finding.marks.push_back({fmt::format("edge {} {}: its cells form several parts",
@@ -86,6 +90,8 @@ PageSolve page_solve(const SolveReport& solve, const SolveSpec& spec) {
 
 PageData new_page(const Scene& scene, const Mesh& mesh,
                   const std::optional<SceneMaterials>& materials) {
+  if (mesh.cells().size() > UINT32_MAX / 4)
+    throw InputError(mesh.source + ": a page shows 1073741823 cells at most; switch it off");
   PageData page;
   page.title = scene.title;
   page.length_unit = scene.length_unit;
@@ -111,10 +117,12 @@ void add_state(PageData& page, const std::string& label, const topology::Incisio
   PageState state;
   state.label = label;
   for (const auto& cell : incision.complex().cells())
-    for (const VertexId v : cell) state.cells.push_back(v.value);
+    for (const VertexId v : cell) state.cells.push_back(page_number(v.value));
   state.displacement.assign(displacement.begin(), displacement.end());
-  for (const auto& facet : incision.opened()) state.opened.push_back(facet.half_facet.value);
-  for (const auto facet : incision.shut().half_facets()) state.shut.push_back(facet.value);
+  for (const auto& facet : incision.opened())
+    state.opened.push_back(page_number(facet.half_facet.value));
+  for (const auto facet : incision.shut().half_facets())
+    state.shut.push_back(page_number(facet.value));
   state.pieces = pieces;
   if (solve) {
     state.iterations = static_cast<int>(solve->iterations);
@@ -128,7 +136,7 @@ void add_bare_state(PageData& page, const Mesh& mesh, const std::string& label) 
     page.points.insert(page.points.end(), point.begin(), point.end());
   PageState state;
   state.label = label;
-  state.cells = mesh.cells().vertices;
+  for (const Index v : mesh.cells().vertices) state.cells.push_back(page_number(v));
   state.pieces = topology::summarize(soup_of<3>(mesh)).pieces;
   page.states.push_back(std::move(state));
 }

@@ -21,7 +21,7 @@ void measure(SolveReport& report, const topology::Complex<3>& k, const Eigen::Ve
   const double infinity = std::numeric_limits<double>::infinity();
   report.low = {infinity, infinity, infinity};
   report.high = {-infinity, -infinity, -infinity};
-  for (std::uint32_t v = 0; v < k.vertex_count(); ++v) {
+  for (Index v = 0; v < k.vertex_count(); ++v) {
     if (!k.a_corner({v})) continue;
     const Eigen::Vector3d move = at(u, {v});
     report.largest_displacement = std::max(report.largest_displacement, move.norm());

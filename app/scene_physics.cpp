@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t kNoMaterial = UINT32_MAX;
 
-std::string groups_of_cell(const Mesh& mesh, std::uint32_t cell) {
+std::string groups_of_cell(const Mesh& mesh, Index cell) {
   std::string names;
   for (const Group& group : mesh.groups)
     if (group.dimension == mesh.dimension &&
@@ -24,7 +24,7 @@ std::string groups_of_cell(const Mesh& mesh, std::uint32_t cell) {
 
 void require_material_everywhere(const Scene& scene, const Mesh& mesh,
                                  const std::vector<std::uint32_t>& of_cell) {
-  for (std::uint32_t cell = 0; cell < of_cell.size(); ++cell)
+  for (Index cell = 0; cell < of_cell.size(); ++cell)
     if (of_cell[cell] == kNoMaterial)
       throw InputError(fmt::format(
           "{}: at /material/groups: cell {} of {} has no material; it is in {}. Give one to a "
@@ -53,7 +53,7 @@ fem::Loads gravity_of(const Scene& scene, const LoadSpec& load, const Mesh& mesh
     for (const auto cell : cells_in(*load.where, mesh, scene.source))
       loads.density[cell.value] = density_of(scene, load, materials, mesh, cell);
   } else {
-    for (std::uint32_t c = 0; c < loads.density.size(); ++c)
+    for (Index c = 0; c < loads.density.size(); ++c)
       loads.density[c] = density_of(scene, load, materials, mesh, {c});
   }
   return loads;
@@ -74,7 +74,7 @@ SceneMaterials materials_of(const Scene& scene, const Mesh& mesh) {
       continue;
     }
     const Group& group = named_group(mesh, spec.group, mesh.dimension, scene.source, spec.at);
-    for (const std::uint32_t cell : group.elements) {
+    for (const Index cell : group.elements) {
       if (of_cell[cell] != kNoMaterial)
         throw InputError(
             fmt::format("{}: cell {} of {} gets two materials, of {} and of {}; it is in {}. Take "

@@ -35,12 +35,11 @@ SceneStroke along_blade(const BladePath& path, const StrokeSpec& spec, const std
 }
 
 // Places in mesh.points of facets given by the file's vertex numbers.
-std::vector<std::uint32_t> places_of(const FacetList& list, const StrokeSpec& spec,
-                                     const std::string& source, const Mesh& mesh) {
-  std::unordered_map<std::uint64_t, std::uint32_t> place_of;
-  for (std::uint32_t i = 0; i < mesh.points.size(); ++i)
-    place_of.emplace(mesh.vertex_numbers[i], i);
-  std::vector<std::uint32_t> places;
+std::vector<Index> places_of(const FacetList& list, const StrokeSpec& spec,
+                             const std::string& source, const Mesh& mesh) {
+  std::unordered_map<std::uint64_t, Index> place_of;
+  for (Index i = 0; i < mesh.points.size(); ++i) place_of.emplace(mesh.vertex_numbers[i], i);
+  std::vector<Index> places;
   for (std::size_t f = 0; f < list.facets.size(); ++f)
     for (const std::uint64_t number : list.facets[f]) {
       const auto found = place_of.find(number);

@@ -4,6 +4,8 @@
 #include <deque>
 #include <numeric>
 
+#include "mesh.hpp"
+
 namespace cleave::app {
 
 using topology::Complex;
@@ -16,7 +18,7 @@ namespace {
 template <int D>
 struct RidgeSide {
   std::array<VertexId, static_cast<std::size_t>(D - 1)> ridge;  // ascending
-  std::uint32_t facet;                                          // place among the facets
+  Index facet;                                                  // place among the facets
   int sign;  // orientation that the half-facet's orientation induces on the ascending ridge
 
   friend bool operator<(const RidgeSide& a, const RidgeSide& b) {
@@ -27,7 +29,7 @@ struct RidgeSide {
 // A facet on the other side of a ridge of exactly two. `same`: the lesser half-facets of both lie
 // on the same side of the sheet, which is so when they induce opposite orientations on the ridge.
 struct Neighbour {
-  std::uint32_t facet;
+  Index facet;
   bool same;
 };
 
@@ -49,7 +51,7 @@ std::vector<std::vector<Neighbour>> neighbours(const Complex<D>& k,
   std::vector<std::vector<Neighbour>> next(facets.size());
   if constexpr (D >= 2) {
     std::vector<RidgeSide<D>> sides;
-    for (std::uint32_t f = 0; f < facets.size(); ++f) {
+    for (Index f = 0; f < facets.size(); ++f) {
       auto tuple = k.facet(facets[f]);
       int sign = sort_with_parity(tuple) * k.facet_sign(facets[f]);
       for (std::size_t left_out = 0; left_out < tuple.size(); ++left_out, sign = -sign) {
@@ -73,10 +75,9 @@ std::vector<std::vector<Neighbour>> neighbours(const Complex<D>& k,
 
 // The facets from `one` up to the flood's common root and down to `other`: with the ridge between
 // these two, a closed loop.
-std::vector<std::uint32_t> loop_between(std::uint32_t one, std::uint32_t other,
-                                        const std::vector<std::uint32_t>& reached_from) {
-  const auto path_to_root = [&](std::uint32_t f) {
-    std::vector<std::uint32_t> path{f};
+std::vector<Index> loop_between(Index one, Index other, const std::vector<Index>& reached_from) {
+  const auto path_to_root = [&](Index f) {
+    std::vector<Index> path{f};
     for (; reached_from[f] != f; f = reached_from[f]) path.push_back(reached_from[f]);
     return path;
   };
@@ -96,17 +97,17 @@ template <int D>
 Sides choose_sides(const Complex<D>& k, std::span<const HalfFacetId> facets,
                    std::span<const HalfFacetId> preferred) {
   const auto next = neighbours(k, facets);
-  constexpr std::uint32_t kNotYet = UINT32_MAX;
-  std::vector<std::uint32_t> reached_from(facets.size(), kNotYet);
+  constexpr Index kNotYet = topology::kNoIndex;
+  std::vector<Index> reached_from(facets.size(), kNotYet);
   std::vector<bool> lesser_is_minus(facets.size());
   Sides sides;
-  for (std::uint32_t start = 0; start < facets.size(); ++start) {
+  for (Index start = 0; start < facets.size(); ++start) {
     if (reached_from[start] != kNotYet) continue;
     reached_from[start] = start;
     lesser_is_minus[start] = preferred[start] == facets[start];
     bool two_sided = true;
-    for (std::deque<std::uint32_t> flood{start}; !flood.empty(); flood.pop_front()) {
-      const std::uint32_t at = flood.front();
+    for (std::deque<Index> flood{start}; !flood.empty(); flood.pop_front()) {
+      const Index at = flood.front();
       for (const Neighbour& n : next[at]) {
         const bool minus = lesser_is_minus[at] == n.same;
         if (reached_from[n.facet] == kNotYet) {
@@ -116,13 +117,12 @@ Sides choose_sides(const Complex<D>& k, std::span<const HalfFacetId> facets,
         } else if (two_sided && lesser_is_minus[n.facet] != minus) {
           two_sided = false;
           auto& loop = sides.one_sided.emplace_back();
-          for (const std::uint32_t f : loop_between(at, n.facet, reached_from))
-            loop.push_back(facets[f]);
+          for (const Index f : loop_between(at, n.facet, reached_from)) loop.push_back(facets[f]);
         }
       }
     }
   }
-  for (std::uint32_t f = 0; f < facets.size(); ++f)
+  for (Index f = 0; f < facets.size(); ++f)
     sides.minus.push_back(lesser_is_minus[f] ? facets[f] : *k.mate(facets[f]));
   return sides;
 }

@@ -52,8 +52,8 @@ class StarFlow {
   // The half-facets of `cell` through which the star hangs together.
   std::vector<HalfFacetId> ways_out(CellId cell) const {
     std::vector<HalfFacetId> ways;
-    for (std::uint32_t i = 0; i <= static_cast<std::uint32_t>(D); ++i) {
-      const HalfFacetId h{static_cast<std::uint32_t>(D + 1) * cell.value + i};
+    for (topology::Index i = 0; i <= static_cast<topology::Index>(D); ++i) {
+      const HalfFacetId h{static_cast<topology::Index>(D + 1) * cell.value + i};
       if (k_.vertices(cell)[i] == vertex_) continue;  // the facet opposite it does not have it
       const auto mate = k_.mate(h);
       if (mate && !scored_.contains(std::min(h, *mate))) ways.push_back(h);

@@ -67,8 +67,8 @@ FacetSet taken_back(const CutSource& source, const StitchOptions& options, CutSt
 // corner stays. `number` has the number in OUT of each place in `after`.
 std::vector<StitchReport::Merge> merges(const Mesh& before, const Mesh& after,
                                         const std::vector<std::uint64_t>& number) {
-  constexpr std::uint32_t kNone = UINT32_MAX;
-  std::vector<std::uint32_t> stays(after.points.size(), kNone);
+  constexpr Index kNone = topology::kNoIndex;
+  std::vector<Index> stays(after.points.size(), kNone);
   std::vector<bool> seen(before.points.size());
   std::vector<StitchReport::Merge> merges;
   const auto &from = before.cells().vertices, &to = after.cells().vertices;

@@ -8,11 +8,11 @@
 namespace cleave::app {
 namespace {
 
-constexpr std::uint32_t kGone = std::numeric_limits<std::uint32_t>::max();
-using Places = std::vector<std::uint32_t>;  // of entities in the whole mesh, ascending
-using Face = std::array<std::uint32_t, 3>;  // ascending vertices, the rest kGone
+constexpr Index kGone = topology::kNoIndex;
+using Places = std::vector<Index>;  // of entities in the whole mesh, ascending
+using Face = std::array<Index, 3>;  // ascending vertices, the rest kGone
 
-Face face_of(const std::uint32_t* tuple, std::size_t n) {
+Face face_of(const Index* tuple, std::size_t n) {
   Face face{kGone, kGone, kGone};
   std::copy(tuple, tuple + n, face.begin());
   std::sort(face.begin(), face.end());
@@ -20,14 +20,14 @@ Face face_of(const std::uint32_t* tuple, std::size_t n) {
 }
 
 // The faces with `n` vertices of these cells, ascending.
-std::vector<Face> faces_of(const Mesh& mesh, std::span<const std::uint32_t> cells, std::size_t n) {
+std::vector<Face> faces_of(const Mesh& mesh, std::span<const Index> cells, std::size_t n) {
   const auto corners = static_cast<std::size_t>(mesh.dimension) + 1;
   std::vector<Face> faces;
-  for (const std::uint32_t c : cells) {
+  for (const Index c : cells) {
     std::vector<bool> chosen(corners, false);
     std::fill(chosen.begin(), chosen.begin() + static_cast<std::ptrdiff_t>(n), true);
     do {
-      std::array<std::uint32_t, 3> tuple{};
+      std::array<Index, 3> tuple{};
       for (std::size_t i = 0, to = 0; i < corners; ++i)
         if (chosen[i]) tuple[to++] = mesh.cells().vertices[corners * c + i];
       faces.push_back(face_of(tuple.data(), n));
@@ -44,39 +44,39 @@ std::size_t midsides(const Elements& elements) {
 struct Part {
   const Mesh& whole;
   SubMesh result;
-  std::vector<std::uint32_t> new_place;  // of the whole's points
+  std::vector<Index> new_place;  // of the whole's points
 
-  bool stays(std::uint32_t vertex) const { return new_place[vertex] != kGone; }
-  bool all_stay(const std::uint32_t* vertices, std::size_t n) const {
-    return std::all_of(vertices, vertices + n, [&](std::uint32_t v) { return stays(v); });
+  bool stays(Index vertex) const { return new_place[vertex] != kGone; }
+  bool all_stay(const Index* vertices, std::size_t n) const {
+    return std::all_of(vertices, vertices + n, [&](Index v) { return stays(v); });
   }
 
-  void number_points(std::span<const std::uint32_t> cells, std::span<const std::uint32_t> loose) {
+  void number_points(std::span<const Index> cells, std::span<const Index> loose) {
     const Elements& all = whole.cells();
     const auto corners = static_cast<std::size_t>(whole.dimension) + 1;
     const std::size_t between = midsides(all);
     new_place.assign(whole.points.size(), kGone);
-    for (const std::uint32_t c : cells) {
+    for (const Index c : cells) {
       for (std::size_t i = 0; i < corners; ++i) new_place[all.vertices[corners * c + i]] = 0;
       for (std::size_t i = 0; i < between; ++i) new_place[all.midside[between * c + i]] = 0;
     }
-    for (const std::uint32_t v : loose) new_place[v] = 0;
-    for (std::uint32_t v = 0; v < new_place.size(); ++v) {
+    for (const Index v : loose) new_place[v] = 0;
+    for (Index v = 0; v < new_place.size(); ++v) {
       if (!stays(v)) continue;
-      new_place[v] = static_cast<std::uint32_t>(result.place.size());
+      new_place[v] = static_cast<Index>(result.place.size());
       result.place.push_back(v);
       result.mesh.points.push_back(whole.points[v]);
       result.mesh.vertex_numbers.push_back(whole.vertex_numbers[v]);
     }
   }
 
-  Places elements_that_stay(std::size_t dimension, std::span<const std::uint32_t> cells) const {
+  Places elements_that_stay(std::size_t dimension, std::span<const Index> cells) const {
     const Elements& all = whole.elements[dimension];
     Places stay;
     if (all.size() == 0) return stay;
     const auto faces = dimension == 0 ? std::vector<Face>() : faces_of(whole, cells, dimension + 1);
-    for (std::uint32_t e = 0; e < all.size(); ++e) {
-      const std::uint32_t* tuple = &all.vertices[(dimension + 1) * e];
+    for (Index e = 0; e < all.size(); ++e) {
+      const Index* tuple = &all.vertices[(dimension + 1) * e];
       if (dimension == 0
               ? stays(*tuple)
               : std::binary_search(faces.begin(), faces.end(), face_of(tuple, dimension + 1)))
@@ -89,19 +89,19 @@ struct Part {
     const Elements& all = whole.elements[dimension];
     Elements& some = result.mesh.elements[dimension];
     const std::size_t between = midsides(all);
-    for (const std::uint32_t e : stay) {
+    for (const Index e : stay) {
       some.numbers.push_back(all.numbers[e]);
       for (std::size_t i = 0; i <= dimension; ++i)
         some.vertices.push_back(new_place[all.vertices[(dimension + 1) * e + i]]);
       for (std::size_t i = 0; i < between; ++i)
         some.midside.push_back(new_place[all.midside[between * e + i]]);
     }
-    std::vector<std::uint32_t> new_element(all.size(), kGone);
-    for (std::uint32_t i = 0; i < stay.size(); ++i) new_element[stay[i]] = i;
+    std::vector<Index> new_element(all.size(), kGone);
+    for (Index i = 0; i < stay.size(); ++i) new_element[stay[i]] = i;
     for (const Group& group : whole.groups) {
       if (group.dimension != static_cast<int>(dimension)) continue;
       Group some_of_it{group.name, group.dimension, group.tag, {}};
-      for (const std::uint32_t e : group.elements)
+      for (const Index e : group.elements)
         if (new_element[e] != kGone) some_of_it.elements.push_back(new_element[e]);
       if (!some_of_it.elements.empty()) result.mesh.groups.push_back(std::move(some_of_it));
     }
@@ -113,7 +113,7 @@ struct Part {
       Field part = field;
       part.values.clear();
       const auto n = static_cast<std::size_t>(field.components);
-      for (const std::uint32_t e : stay)
+      for (const Index e : stay)
         for (std::size_t i = 0; i < n; ++i) part.values.push_back(field.values[n * e + i]);
       some.push_back(std::move(part));
     }
@@ -146,8 +146,7 @@ struct Part {
 
 }  // namespace
 
-SubMesh sub_mesh(const Mesh& mesh, std::span<const std::uint32_t> cells,
-                 std::span<const std::uint32_t> loose) {
+SubMesh sub_mesh(const Mesh& mesh, std::span<const Index> cells, std::span<const Index> loose) {
   Part part{mesh, {}, {}};
   Mesh& some = part.result.mesh;
   some.source = mesh.source;

@@ -10,7 +10,7 @@ namespace cleave::app {
 /// A part of a mesh, and where its points were in the whole.
 struct SubMesh {
   Mesh mesh;
-  std::vector<std::uint32_t> place;  // in the whole, of each of mesh.points, ascending
+  std::vector<Index> place;  // in the whole, of each of mesh.points, ascending
 };
 
 /// The part of `mesh` that has these cells, given by ascending places, with their vertices and the
@@ -19,7 +19,6 @@ struct SubMesh {
 /// their elements stay, and not at all without any; periodic pairs and cohesive elements when all
 /// their vertices stay. Order, tuples and the file's numbers are kept. Time: linear in the mesh,
 /// and sorting the faces of the part.
-SubMesh sub_mesh(const Mesh& mesh, std::span<const std::uint32_t> cells,
-                 std::span<const std::uint32_t> loose = {});
+SubMesh sub_mesh(const Mesh& mesh, std::span<const Index> cells, std::span<const Index> loose = {});
 
 }  // namespace cleave::app

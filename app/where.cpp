@@ -66,7 +66,7 @@ std::vector<bool> flags_of_numbers(const VertexNumbers& list, const Mesh& mesh,
 
 std::vector<bool> flags_of_group(const Group& group, const Mesh& mesh) {
   std::vector<bool> flags(mesh.points.size(), false);
-  for (const std::uint32_t place : vertices_of(mesh, group)) flags[place] = true;
+  for (const Index place : vertices_of(mesh, group)) flags[place] = true;
   return flags;
 }
 
@@ -129,7 +129,7 @@ std::vector<VertexId> vertices_in(const Where& where, const Body<3>& body,
                                   const std::string& source) {
   const std::vector<bool> flags = flags_of(where, -1, *body.mesh, source);
   std::vector<VertexId> vertices;
-  for (std::uint32_t v = 0; v < body.complex.vertex_count(); ++v)
+  for (Index v = 0; v < body.complex.vertex_count(); ++v)
     if (body.complex.a_corner({v}) && flags[body.place({v})]) vertices.push_back({v});
   require_some(vertices, "vertex", where, source);
   return vertices;
@@ -147,7 +147,7 @@ std::vector<HalfFacetId> boundary_facets_in(const Where& where, const Body<3>& b
     facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
   } else {
     const std::vector<bool> flags = flags_of(where, 2, *body.mesh, source);
-    for (std::uint32_t h = 0; h < k.half_facet_count(); ++h) {
+    for (Index h = 0; h < k.half_facet_count(); ++h) {
       if (k.is_interior({h})) continue;
       const auto facet = k.facet({h});
       if (std::all_of(facet.begin(), facet.end(), [&](VertexId v) { return flags[body.place(v)]; }))
@@ -161,13 +161,13 @@ std::vector<HalfFacetId> boundary_facets_in(const Where& where, const Body<3>& b
 std::vector<CellId> cells_in(const Where& where, const Mesh& mesh, const std::string& source) {
   std::vector<CellId> cells;
   if (const Group* group = group_of_dimension(where, 3, mesh, source)) {
-    for (const std::uint32_t cell : group->elements) cells.push_back({cell});
+    for (const Index cell : group->elements) cells.push_back({cell});
   } else {
     const std::vector<bool> flags = flags_of(where, 3, mesh, source);
-    const std::vector<std::uint32_t>& vertices = mesh.cells().vertices;
-    for (std::uint32_t c = 0; c < mesh.cells().size(); ++c)
+    const std::vector<Index>& vertices = mesh.cells().vertices;
+    for (Index c = 0; c < mesh.cells().size(); ++c)
       if (std::all_of(&vertices[4 * c], &vertices[4 * c] + 4,
-                      [&](std::uint32_t place) { return flags[place]; }))
+                      [&](Index place) { return flags[place]; }))
         cells.push_back({c});
   }
   require_some(cells, "cell", where, source);

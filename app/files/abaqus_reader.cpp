@@ -157,7 +157,7 @@ class AbaqusReader {
       CommaFields fields = lines_.data("an element");
       const Row row = fields.row();
       const std::uint32_t number = label(fields, "the number of an element");
-      std::array<std::uint32_t, 10> nodes{};
+      std::array<Index, 10> nodes{};
       for (int k = 0; k < type->nodes; ++k) {
         if (fields.at_end() && fields.goes_on()) fields = lines_.data("the nodes of an element");
         nodes[static_cast<std::size_t>(k)] = label(fields, "the number of a node");
@@ -186,8 +186,7 @@ class AbaqusReader {
           "order");
   }
 
-  void add_element(const AbaqusType& type, std::uint32_t number,
-                   std::array<std::uint32_t, 10>& nodes) {
+  void add_element(const AbaqusType& type, std::uint32_t number, std::array<Index, 10>& nodes) {
     if (type.cohesive) {
       if (type.nodes == 4) std::swap(nodes[2], nodes[3]);  // around the quadrangle
       CohesiveElements& cohesive = content_.mesh.cohesive;
@@ -299,9 +298,9 @@ class AbaqusReader {
   }
 
   /// Replaces numbers of nodes by places.
-  void to_places(std::vector<std::uint32_t>& vertices, const MshNodes& nodes) const {
-    for (std::uint32_t& vertex : vertices) {
-      const std::uint32_t place = nodes.find(vertex);
+  void to_places(std::vector<Index>& vertices, const MshNodes& nodes) const {
+    for (Index& vertex : vertices) {
+      const Index place = nodes.find(vertex);
       if (place == MshNodes::kNone)
         find_line({true, vertex, 1, "there is no node " + std::to_string(vertex)});
       vertex = place;

@@ -12,12 +12,12 @@ namespace cleave::app {
 namespace {
 
 using Kind = AbaqusSet::Kind;
-using Facet = std::array<std::uint32_t, 3>;  // vertices, ascending; unused ones are 0
+using Facet = std::array<Index, 3>;  // vertices, ascending; unused ones are 0
 
 /// An element of any kind: dimension 1 to 3, or 4 for a cohesive one, and its place.
 struct Found {
   std::size_t kind;
-  std::uint32_t place;
+  Index place;
 };
 
 class SetResolver {
@@ -41,8 +41,7 @@ class SetResolver {
       const AbaqusSet& set = content_.sets[s];
       if (set.internal) continue;
       if (set.kind == Kind::nodes) {
-        for (const std::uint64_t v : places(set))
-          group(0, set).push_back(static_cast<std::uint32_t>(v));
+        for (const std::uint64_t v : places(set)) group(0, set).push_back(static_cast<Index>(v));
       } else if (set.kind == Kind::elements) {
         for (const std::uint64_t e : places(set)) add_element(set, found(e));
       } else {
@@ -54,7 +53,7 @@ class SetResolver {
   }
 
  private:
-  std::vector<std::uint32_t>& group(std::size_t dimension, const AbaqusSet& set) {
+  std::vector<Index>& group(std::size_t dimension, const AbaqusSet& set) {
     auto& entry = groups_[dimension][set.name.key];
     if (entry.order == 0) {
       entry.order = ++groups_made_;
@@ -66,7 +65,7 @@ class SetResolver {
   Found found(std::uint64_t index) const {
     std::size_t kind = 4;
     while (index < starts_[kind]) --kind;
-    return {kind, static_cast<std::uint32_t>(index - starts_[kind])};
+    return {kind, static_cast<Index>(index - starts_[kind])};
   }
 
   /// The places (of vertices, or of elements in elements_) that a set lists, ascending.
@@ -100,10 +99,10 @@ class SetResolver {
   }
 
   /// The place of the node or element that a label numbers.
-  std::uint32_t place(const AbaqusSet& set, std::size_t label) const {
+  Index place(const AbaqusSet& set, std::size_t label) const {
     const bool is_node = set.kind == Kind::nodes;
-    const std::uint32_t number = set.labels[label].number;
-    const std::uint32_t place = (is_node ? nodes_ : elements_).find(number);
+    const Index number = set.labels[label].number;
+    const Index place = (is_node ? nodes_ : elements_).find(number);
     if (place == MshNodes::kNone)
       fail(set, label,
            (is_node ? "there is no node " : "there is no element ") + std::to_string(number));
@@ -137,7 +136,7 @@ class SetResolver {
   }
 
   /// The place among the facets of the side of an element that a surface names.
-  std::uint32_t facet(const AbaqusSet& set, std::size_t label, Found element) {
+  Index facet(const AbaqusSet& set, std::size_t label, Found element) {
     const std::string& side = set.words[set.labels[label].side];
     const auto d = static_cast<std::size_t>(mesh_.dimension);
     if (element.kind == d - 1 && (side == "SPOS" || side == "SNEG")) return element.place;
@@ -152,19 +151,18 @@ class SetResolver {
     return find_or_add(facet);
   }
 
-  std::uint32_t find_or_add(const Facet& facet) {
+  Index find_or_add(const Facet& facet) {
     const auto d = static_cast<std::size_t>(mesh_.dimension);
     Elements& facets = mesh_.elements[d - 1];
     if (!facets_known_) {
       facets_known_ = true;
-      for (std::uint32_t f = 0; f < facets.size(); ++f) {
+      for (Index f = 0; f < facets.size(); ++f) {
         Facet known{};
         std::copy_n(&facets.vertices[d * f], d, known.begin());
         facets_.emplace(sorted(known), f);
       }
     }
-    const auto [at, is_new] =
-        facets_.emplace(sorted(facet), static_cast<std::uint32_t>(facets.size()));
+    const auto [at, is_new] = facets_.emplace(sorted(facet), static_cast<Index>(facets.size()));
     if (!is_new) return at->second;
     if (facets.second_order())
       throw InputError(mesh_.source +
@@ -185,13 +183,12 @@ class SetResolver {
   void make_vertex_elements() {
     std::vector<std::int32_t> in_a_set(mesh_.points.size(), 0);
     for (const auto& [key, entry] : groups_[0])
-      for (const std::uint32_t v : entry.elements) in_a_set[v] = 1;
+      for (const Index v : entry.elements) in_a_set[v] = 1;
     mark_vertices(mesh_, in_a_set);
-    const std::vector<std::uint32_t>& marked = mesh_.elements[0].vertices;
+    const std::vector<Index>& marked = mesh_.elements[0].vertices;
     for (auto& [key, entry] : groups_[0])
-      for (std::uint32_t& v : entry.elements)
-        v = static_cast<std::uint32_t>(std::lower_bound(marked.begin(), marked.end(), v) -
-                                       marked.begin());
+      for (Index& v : entry.elements)
+        v = static_cast<Index>(std::lower_bound(marked.begin(), marked.end(), v) - marked.begin());
   }
 
   void finish_groups() {
@@ -219,7 +216,7 @@ class SetResolver {
   struct Entry {
     std::size_t order = 0;  // of first appearance, from 1 on
     std::string name;
-    std::vector<std::uint32_t> elements;
+    std::vector<Index> elements;
   };
 
   AbaqusContent& content_;
@@ -231,7 +228,7 @@ class SetResolver {
   std::array<std::map<std::string, Entry>, 4> groups_;  // by dimension, then key
   std::size_t groups_made_ = 0;
   bool facets_known_ = false;
-  std::map<Facet, std::uint32_t> facets_;
+  std::map<Facet, Index> facets_;
 };
 
 }  // namespace

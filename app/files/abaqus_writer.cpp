@@ -106,8 +106,8 @@ class AbaqusWriter {
     const bool second_order = elements.second_order();
     out_ << "*ELEMENT, TYPE=" << type(d, second_order) << '\n';
     for (std::size_t e = 0; e < elements.size(); ++e) {
-      std::vector<std::uint32_t> nodes(&elements.vertices[(d + 1) * e],
-                                       &elements.vertices[(d + 1) * e] + d + 1);
+      std::vector<Index> nodes(&elements.vertices[(d + 1) * e],
+                               &elements.vertices[(d + 1) * e] + d + 1);
       for (std::size_t k = 0; second_order && k < edges_of_simplex(d); ++k)
         nodes.push_back(midside_node(elements, d, kCyclicMidside, e, k));
       if (d == 1 && second_order) std::swap(nodes[1], nodes[2]);  // end, middle, end
@@ -115,9 +115,9 @@ class AbaqusWriter {
     }
   }
 
-  void write_row(std::uint64_t number, const std::vector<std::uint32_t>& nodes) {
+  void write_row(std::uint64_t number, const std::vector<Index>& nodes) {
     out_ << number;
-    for (const std::uint32_t v : nodes) out_ << ", " << nodes_[v];
+    for (const Index v : nodes) out_ << ", " << nodes_[v];
     out_ << '\n';
   }
 
@@ -127,8 +127,8 @@ class AbaqusWriter {
     const std::size_t count = 2 * static_cast<std::size_t>(mesh_.dimension);
     out_ << "*ELEMENT, TYPE=" << (mesh_.dimension == 3 ? "COH3D6" : "COH2D4") << '\n';
     for (std::size_t e = 0; e < cohesive.size(); ++e) {
-      std::vector<std::uint32_t> nodes(&cohesive.vertices[count * e],
-                                       &cohesive.vertices[count * e] + count);
+      std::vector<Index> nodes(&cohesive.vertices[count * e],
+                               &cohesive.vertices[count * e] + count);
       if (count == 4) std::swap(nodes[2], nodes[3]);  // around the quadrangle
       write_row(cohesive_[e], nodes);
     }
@@ -137,7 +137,7 @@ class AbaqusWriter {
   Sets node_sets() const {
     Sets sets;
     for (const Group& group : groups_of_vertices(mesh_))
-      for (const std::uint32_t v : group.elements) sets[name_of(group)].push_back(nodes_[v]);
+      for (const Index v : group.elements) sets[name_of(group)].push_back(nodes_[v]);
     return sets;
   }
 
@@ -145,7 +145,7 @@ class AbaqusWriter {
     Sets sets;
     for (const Group& group : mesh_.groups)
       if (group.dimension > 0)
-        for (const std::uint32_t e : group.elements)
+        for (const Index e : group.elements)
           sets[name_of(group)].push_back(elements_[static_cast<std::size_t>(group.dimension)][e]);
     for (std::size_t e = 0; e < mesh_.cohesive.size(); ++e)
       if (!mesh_.cohesive.names[e].empty()) sets[mesh_.cohesive.names[e]].push_back(cohesive_[e]);
@@ -166,9 +166,9 @@ class AbaqusWriter {
     }
   }
 
-  using Facet = std::array<std::uint32_t, 3>;  // vertices, ascending; unused ones are 0
+  using Facet = std::array<Index, 3>;  // vertices, ascending; unused ones are 0
 
-  static bool is_even(const std::uint32_t* vertices, std::size_t count) {
+  static bool is_even(const Index* vertices, std::size_t count) {
     bool even = true;
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = i + 1; j < count; ++j) even = even != (vertices[i] > vertices[j]);
@@ -181,12 +181,12 @@ class AbaqusWriter {
     const auto d = static_cast<std::size_t>(mesh_.dimension);
     if (d < 2) return;
     const Elements& facets = mesh_.elements[d - 1];
-    std::vector<std::pair<Facet, std::uint32_t>> wanted;
+    std::vector<std::pair<Facet, Index>> wanted;
     std::vector<bool> is_wanted(facets.size(), false);
     for (const Group& group : mesh_.groups)
       if (group.dimension == mesh_.dimension - 1)
-        for (const std::uint32_t f : group.elements) is_wanted[f] = true;
-    for (std::uint32_t f = 0; f < facets.size(); ++f) {
+        for (const Index f : group.elements) is_wanted[f] = true;
+    for (Index f = 0; f < facets.size(); ++f) {
       Facet facet{};
       std::copy_n(&facets.vertices[d * f], d, facet.begin());
       std::sort(facet.begin(), facet.begin() + static_cast<std::ptrdiff_t>(d));
@@ -203,7 +203,7 @@ class AbaqusWriter {
               mesh_.cells().vertices[(d + 1) * c + static_cast<std::size_t>(kAbaqusSides[d][s][k])];
         const bool even = is_even(side.data(), d);
         std::sort(side.begin(), side.begin() + static_cast<std::ptrdiff_t>(d));
-        for (auto at = std::lower_bound(wanted.begin(), wanted.end(), std::pair{side, 0u});
+        for (auto at = std::lower_bound(wanted.begin(), wanted.end(), std::pair{side, Index{0}});
              at != wanted.end() && at->first == side; ++at) {
           Side& known = sides[at->second];
           const bool away = even != is_even(&facets.vertices[d * at->second], d);
@@ -224,7 +224,7 @@ class AbaqusWriter {
     NamedLists<Side> surfaces;
     for (const Group& group : mesh_.groups)
       if (group.dimension == mesh_.dimension - 1)
-        for (const std::uint32_t f : group.elements)
+        for (const Index f : group.elements)
           if (sides[f].cell != 0) surfaces[name_of(group)].push_back(sides[f]);
     for (const auto& [name, faces] : surfaces) {
       out_ << "*SURFACE, TYPE=ELEMENT, NAME=" << surfaces.label(name) << '\n';

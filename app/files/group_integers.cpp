@@ -132,7 +132,7 @@ void GroupIntegers::encode(int dimension, std::size_t count, const std::vector<G
   }
   auto& integers = of_element[static_cast<std::size_t>(dimension)];
   integers.reserve(count);
-  for (const std::uint32_t set : sets.of_element) integers.push_back(integer_of_set[set]);
+  for (const Index set : sets.of_element) integers.push_back(integer_of_set[set]);
   for (std::size_t g = 0; g < groups.size(); ++g)
     if (groups[g].elements.empty() || groups[g].name != std::to_string(tags[g]))
       named.push_back({dimension, tags[g], groups[g].name});
@@ -169,7 +169,7 @@ std::string GroupIntegers::to_json() const {
 std::vector<Group> groups_from_integers(int dimension, const std::vector<std::int32_t>& integers) {
   GroupCollector groups;
   for (std::size_t i = 0; i < integers.size(); ++i)
-    if (integers[i] != 0) groups.add(dimension, integers[i], static_cast<std::uint32_t>(i));
+    if (integers[i] != 0) groups.add(dimension, integers[i], static_cast<Index>(i));
   return groups.finish();
 }
 
@@ -178,7 +178,7 @@ std::vector<std::int32_t> mark_vertices(Mesh& mesh, const std::vector<std::int32
   Elements& marked = mesh.elements[0];
   for (std::size_t v = 0; v < of_vertex.size(); ++v) {
     if (of_vertex[v] == 0) continue;
-    marked.vertices.push_back(static_cast<std::uint32_t>(v));
+    marked.vertices.push_back(static_cast<Index>(v));
     marked.numbers.push_back(mesh.vertex_numbers[v]);
     marks.push_back(of_vertex[v]);
   }
@@ -188,7 +188,7 @@ std::vector<std::int32_t> mark_vertices(Mesh& mesh, const std::vector<std::int32
 std::vector<Group> groups_of_vertices(const Mesh& mesh) {
   std::vector<Group> groups = groups_of(mesh, 0);
   for (Group& group : groups) {
-    for (std::uint32_t& element : group.elements) element = mesh.elements[0].vertices[element];
+    for (Index& element : group.elements) element = mesh.elements[0].vertices[element];
     std::sort(group.elements.begin(), group.elements.end());
     group.elements.erase(std::unique(group.elements.begin(), group.elements.end()),
                          group.elements.end());

@@ -32,7 +32,7 @@ GroupSets group_sets(std::size_t count, const std::vector<Group>& groups) {
   result.of_element.assign(count, 0);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     std::map<std::uint32_t, std::uint32_t> with_g;  // a set and the same one with group g
-    for (const std::uint32_t element : groups[g].elements) {
+    for (const Index element : groups[g].elements) {
       std::uint32_t& set = result.of_element[element];
       const auto [known, is_new] = with_g.try_emplace(set, 0);
       if (is_new) {
@@ -80,7 +80,7 @@ std::int32_t tag_of_name(const std::string& name) {
   return error == std::errc{} && rest == end && std::to_string(tag) == name ? tag : 0;
 }
 
-void GroupCollector::add(int dimension, std::int32_t tag, std::uint32_t element) {
+void GroupCollector::add(int dimension, std::int32_t tag, Index element) {
   if (last_ == nullptr || last_->dimension != dimension || last_->tag != tag)
     last_ = &group(dimension, tag);
   if (last_->elements.empty() || last_->elements.back() != element)

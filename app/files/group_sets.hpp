@@ -33,7 +33,7 @@ std::int32_t tag_of_name(const std::string& name);
 class GroupCollector {
  public:
   /// The element at place `element` of `dimension` carries `tag`; a repetition changes nothing.
-  void add(int dimension, std::int32_t tag, std::uint32_t element);
+  void add(int dimension, std::int32_t tag, Index element);
 
   /// Makes the group exist, perhaps without elements, and names it.
   void name(int dimension, std::int32_t tag, std::string name);

@@ -185,8 +185,8 @@ class MeditReader {
     }
   }
 
-  static std::uint32_t vertex(Row& element) {
-    const auto number = element.number<std::uint32_t>("the number of a vertex");
+  static Index vertex(Row& element) {
+    const auto number = element.number<Index>("the number of a vertex");
     if (number == 0) element.fail("vertex number 0; vertices are numbered from 1 on");
     return number - 1;
   }
@@ -206,7 +206,7 @@ class MeditReader {
     }
   }
 
-  void check_places(std::size_t dimension, const std::vector<std::uint32_t>& places,
+  void check_places(std::size_t dimension, const std::vector<Index>& places,
                     std::size_t per_element) const {
     const auto bad = std::find_if(places.begin(), places.end(),
                                   [&](auto v) { return v >= mesh_.points.size(); });

@@ -24,7 +24,7 @@ constexpr std::size_t edges_of_simplex(std::size_t dimension) {
 
 /// Appends the nodes of second order of one element, in a format's order.
 inline void add_midside(Elements& elements, std::size_t dimension, const MidsideOrder& order,
-                        std::span<const std::uint32_t> nodes) {
+                        std::span<const Index> nodes) {
   const std::size_t at = elements.midside.size();
   elements.midside.resize(at + nodes.size());
   for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -32,8 +32,8 @@ inline void add_midside(Elements& elements, std::size_t dimension, const Midside
 }
 
 /// The k-th node of second order, in a format's order, of an element.
-inline std::uint32_t midside_node(const Elements& elements, std::size_t dimension,
-                                  const MidsideOrder& order, std::size_t element, std::size_t k) {
+inline Index midside_node(const Elements& elements, std::size_t dimension,
+                          const MidsideOrder& order, std::size_t element, std::size_t k) {
   return elements.midside[edges_of_simplex(dimension) * element + order[dimension][k]];
 }
 

@@ -52,7 +52,7 @@ class Elements22 {
   template <class Row>
   void read_simplex(Row& row, std::uint64_t number, bool may_repeat) {
     const MshKind& kind = *before_.kind;
-    std::uint32_t place = content_.add_element<true>(row, kind, number);
+    Index place = content_.add_element<true>(row, kind, number);
     Elements& elements = content_.mesh.elements[static_cast<std::size_t>(kind.dimension)];
     if (may_repeat && repeats_last(elements.vertices, kind.corners)) {
       elements.vertices.resize(elements.vertices.size() - kind.corners);
@@ -78,11 +78,11 @@ class Elements22 {
     content_.cohesive_in_several_groups = true;
   }
 
-  static bool repeats_last(const std::vector<std::uint32_t>& vertices, std::size_t corners) {
+  static bool repeats_last(const std::vector<Index>& vertices, std::size_t corners) {
     if (vertices.size() < 2 * corners) return false;
     const auto end = vertices.end();
     const auto size = static_cast<std::ptrdiff_t>(corners);
-    std::array<std::uint32_t, 6> last{}, before{};
+    std::array<Index, 6> last{}, before{};
     std::copy(end - size, end, last.begin());
     std::copy(end - 2 * size, end - size, before.begin());
     std::sort(last.begin(), last.begin() + size);
@@ -189,7 +189,7 @@ void read_msh22_periodic(RowReader& rows, MshContent& content) {
     periodic.pairs.reserve(pairs);
     for (std::size_t p = 0; p < pairs; ++p) {
       row = rows.next("a pair of nodes");
-      const std::uint32_t vertex = content.node<true>(row, "periodic entity", entity);
+      const Index vertex = content.node<true>(row, "periodic entity", entity);
       periodic.pairs.push_back({vertex, content.node<true>(row, "periodic entity", entity)});
       row.finish("a pair of nodes");
     }

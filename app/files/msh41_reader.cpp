@@ -149,7 +149,7 @@ void read_msh41_elements(Rows& rows, const MshEntities& entities, MshContent& co
                                              group_count > 0 ? known->second.front() : 0);
         continue;
       }
-      const std::uint32_t place = content.template add_element<false>(row, kind, number);
+      const Index place = content.template add_element<false>(row, kind, number);
       for (std::size_t g = 0; g < group_count; ++g)
         content.groups.add(kind.dimension, known->second[g], place);
     }

@@ -51,7 +51,7 @@ bool is_simplex(std::string_view name) {
 
 /// The first element whose two sides are not at the same place; the size if there is none.
 std::size_t first_with_thickness(const std::vector<std::array<double, 3>>& points,
-                                 const std::vector<std::uint32_t>& vertices, std::size_t side) {
+                                 const std::vector<Index>& vertices, std::size_t side) {
   for (std::size_t i = 0; i < vertices.size(); i += 2 * side)
     for (std::size_t k = 0; k < side; ++k)
       if (points[vertices[i + k]] != points[vertices[i + side + k]]) return i / (2 * side);

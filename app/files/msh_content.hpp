@@ -41,7 +41,7 @@ struct WatchedNumber {
 
 /// Quadrangles or prisms, until it is known whether they are cohesive elements.
 struct MshCohesive {
-  std::vector<std::uint32_t> vertices;  // as CohesiveElements has them
+  std::vector<Index> vertices;  // as CohesiveElements has them
   std::vector<std::uint64_t> numbers;
   std::vector<std::int32_t> tags;   // of the physical group, 0 none
   std::vector<const char*> places;  // in the file
@@ -51,8 +51,8 @@ struct MshCohesive {
 struct MshRepeated {
   static constexpr int kCohesive = -1;
   std::uint64_t number;
-  int dimension;        // or kCohesive, which has no place
-  std::uint32_t place;  // of the element in its dimension
+  int dimension;  // or kCohesive, which has no place
+  Index place;    // of the element in its dimension
 };
 
 /// What the sections of both versions fill.
@@ -72,7 +72,7 @@ struct MshContent {
   /// Adds the element that the rest of `row` describes, whose nodes have 32 bits in binary if
   /// `Short`; returns its place.
   template <bool Short, class Row>
-  std::uint32_t add_element(Row& row, const MshKind& kind, std::uint64_t number);
+  Index add_element(Row& row, const MshKind& kind, std::uint64_t number);
 
   /// The same for a quadrangle or prism in the physical group `tag`.
   template <bool Short, class Row>
@@ -80,7 +80,7 @@ struct MshContent {
 
   /// The place of the node whose number comes next in `row`; `user` with its number is who asks.
   template <bool Short, class Row>
-  std::uint32_t node(Row& row, const char* user, std::uint64_t number);
+  Index node(Row& row, const char* user, std::uint64_t number);
 
   /// Decides on quadrangles and prisms when everything is read. Throws InputError for those that
   /// are no cohesive elements of this mesh.
@@ -130,9 +130,9 @@ std::int32_t msh_physical_tag(Row& row) {
 std::string msh_mixed_orders(const MshKind& kind, std::uint64_t number);
 
 template <bool Short, class Row>
-std::uint32_t MshContent::node(Row& row, const char* user, std::uint64_t number) {
+Index MshContent::node(Row& row, const char* user, std::uint64_t number) {
   const std::uint64_t node = msh_number<Short>(row, "the number of a node");
-  const std::uint32_t place = nodes.find(node);
+  const Index place = nodes.find(node);
   if (place == MshNodes::kNone)
     row.fail(std::string(user) + " " + std::to_string(number) + " uses node " +
              std::to_string(node) + ", which $Nodes does not hold");
@@ -140,7 +140,7 @@ std::uint32_t MshContent::node(Row& row, const char* user, std::uint64_t number)
 }
 
 template <bool Short, class Row>
-std::uint32_t MshContent::add_element(Row& row, const MshKind& kind, std::uint64_t number) {
+Index MshContent::add_element(Row& row, const MshKind& kind, std::uint64_t number) {
   const auto dimension = static_cast<std::size_t>(kind.dimension);
   if (kinds[dimension] != &kind) {
     if (kinds[dimension] != nullptr) row.fail(msh_mixed_orders(kind, number));
@@ -159,7 +159,7 @@ std::uint32_t MshContent::add_element(Row& row, const MshKind& kind, std::uint64
   row.finish("an element");
   watched_element.look(row, number, "element");
   elements.numbers.push_back(number);
-  return static_cast<std::uint32_t>(elements.size() - 1);
+  return static_cast<Index>(elements.size() - 1);
 }
 
 template <bool Short, class Row>

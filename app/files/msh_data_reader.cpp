@@ -90,7 +90,7 @@ std::vector<double> read_values(Rows& rows, const Header& header, const MshNodes
     const std::uint64_t number = msh_number<true>(row, "the number that a value is of");
     for (double& x : row_values) x = row.template number<double>("a value");
     row.finish("a value");
-    const std::uint32_t place = places.find(number);
+    const Index place = places.find(number);
     if (place == MshNodes::kNone)
       row.fail("a value of " + std::string(kind) + " " + std::to_string(number) +
                ", which the file does not hold");

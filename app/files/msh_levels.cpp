@@ -23,8 +23,8 @@ std::vector<std::uint64_t> numbers_of(const std::vector<std::uint64_t>& wanted,
 }
 
 /// Corners and midside nodes of each element, in gmsh's order.
-std::vector<std::uint32_t> second_order_nodes(const Elements& elements, const MshKind& kind) {
-  std::vector<std::uint32_t> nodes;
+std::vector<Index> second_order_nodes(const Elements& elements, const MshKind& kind) {
+  std::vector<Index> nodes;
   nodes.reserve(kind.nodes() * elements.size());
   for (std::size_t e = 0; e < elements.size(); ++e) {
     for (std::size_t k = 0; k < kind.corners; ++k)
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> second_order_nodes(const Elements& elements, const Ms
 void add_cohesive_groups(const Mesh& mesh, MshLevel& cells, MshLevel& cohesive) {
   std::map<std::string, std::size_t> places;
   for (std::size_t g = 0; g < cells.groups.size(); ++g) places.emplace(cells.groups[g].name, g);
-  std::vector<std::vector<std::uint32_t>> members(cells.groups.size());
+  std::vector<std::vector<Index>> members(cells.groups.size());
   for (std::size_t e = 0; e < cohesive.count; ++e) {
     const std::string& name = mesh.cohesive.names[e];
     if (name.empty()) continue;
@@ -49,7 +49,7 @@ void add_cohesive_groups(const Mesh& mesh, MshLevel& cells, MshLevel& cohesive) 
       cells.groups.push_back({name, cells.kind.dimension, 0, {}});
       members.emplace_back();
     }
-    members[known->second].push_back(static_cast<std::uint32_t>(e));
+    members[known->second].push_back(static_cast<Index>(e));
   }
   cells.tags = distinct_tags(cells.groups, 1);
   cohesive.groups = cells.groups;
@@ -97,7 +97,7 @@ class PeriodicEntities {
   bool any() const { return !of_vertex_.empty(); }
 
   /// An entity that all `corners` lie on, 0 if there is none.
-  std::int32_t of(const std::uint32_t* corners, std::size_t count) const {
+  std::int32_t of(const Index* corners, std::size_t count) const {
     const auto first = of_vertex_.find(corners[0]);
     if (first == of_vertex_.end()) return 0;
     for (const std::int32_t entity : first->second) {
@@ -109,12 +109,12 @@ class PeriodicEntities {
   }
 
  private:
-  bool holds(std::uint32_t vertex, std::int32_t entity) const {
+  bool holds(Index vertex, std::int32_t entity) const {
     const auto found = of_vertex_.find(vertex);
     return found != of_vertex_.end() && found->second.count(entity) > 0;
   }
 
-  std::unordered_map<std::uint32_t, std::set<std::int32_t>> of_vertex_;
+  std::unordered_map<Index, std::set<std::int32_t>> of_vertex_;
 };
 
 /// Gives the elements on a periodic entity that entity, whose tag gmsh looks for; elements there in

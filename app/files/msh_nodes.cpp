@@ -22,18 +22,18 @@ std::optional<std::uint64_t> MshNodes::index(const std::vector<std::uint64_t>& n
     return {};
   }
   constexpr std::uint64_t kSparse = 8;  // table entries per vertex above which a list is smaller
-  const auto count = static_cast<std::uint32_t>(numbers.size());
+  const auto count = static_cast<Index>(numbers.size());
   if (*greatest - first_ < kSparse * count) {
     table_.assign(*greatest - first_ + 1, kNone);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      std::uint32_t& place = table_[numbers[i] - first_];
+    for (Index i = 0; i < count; ++i) {
+      Index& place = table_[numbers[i] - first_];
       if (place != kNone) return numbers[i];
       place = i;
     }
     return {};
   }
   sorted_.reserve(count);
-  for (std::uint32_t i = 0; i < count; ++i) sorted_.emplace_back(numbers[i], i);
+  for (Index i = 0; i < count; ++i) sorted_.emplace_back(numbers[i], i);
   std::sort(sorted_.begin(), sorted_.end());
   const auto twice = std::adjacent_find(sorted_.begin(), sorted_.end(),
                                         [](auto& a, auto& b) { return a.first == b.first; });
@@ -41,13 +41,12 @@ std::optional<std::uint64_t> MshNodes::index(const std::vector<std::uint64_t>& n
   return {};
 }
 
-std::uint32_t MshNodes::find(std::uint64_t number) const {
+Index MshNodes::find(std::uint64_t number) const {
   if (run_ > 0)
-    return number >= first_ && number - first_ < run_ ? static_cast<std::uint32_t>(number - first_)
-                                                      : kNone;
+    return number >= first_ && number - first_ < run_ ? static_cast<Index>(number - first_) : kNone;
   if (!table_.empty())
     return number >= first_ && number - first_ < table_.size() ? table_[number - first_] : kNone;
-  const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{number, 0u});
+  const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{number, Index{0}});
   return found != sorted_.end() && found->first == number ? found->second : kNone;
 }
 

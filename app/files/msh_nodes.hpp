@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "mesh.hpp"
+
 namespace cleave::app {
 
 /// From a file's number of a vertex or element to its place. Numbers may be anything up to 64 bits:
@@ -14,15 +16,15 @@ class MshNodes {
   std::optional<std::uint64_t> index(const std::vector<std::uint64_t>& numbers);
 
   /// The place of the vertex with this number, or kNone.
-  std::uint32_t find(std::uint64_t number) const;
+  Index find(std::uint64_t number) const;
 
-  static constexpr std::uint32_t kNone = UINT32_MAX;
+  static constexpr Index kNone = topology::kNoIndex;
 
  private:
   std::uint64_t first_ = 0;
-  std::uint64_t run_ = 0;             // so many consecutive numbers from first_ on, if not 0
-  std::vector<std::uint32_t> table_;  // by number - first_
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> sorted_;
+  std::uint64_t run_ = 0;     // so many consecutive numbers from first_ on, if not 0
+  std::vector<Index> table_;  // by number - first_
+  std::vector<std::pair<std::uint64_t, Index>> sorted_;
 };
 
 }  // namespace cleave::app

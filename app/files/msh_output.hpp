@@ -84,12 +84,12 @@ struct MshLevel {
   }
   std::int32_t tag_of(std::size_t element) const { return entities[entity_of(element)]; }
   /// Nodes of an element, places in the mesh's points, in gmsh's order.
-  const std::uint32_t* nodes(std::size_t element) const {
+  const Index* nodes(std::size_t element) const {
     return (reordered.empty() ? vertices->data() : reordered.data()) + kind.nodes() * element;
   }
 
-  const std::vector<std::uint32_t>* vertices = nullptr;
-  std::vector<std::uint32_t> reordered;  // where the mesh does not have them in gmsh's order
+  const std::vector<Index>* vertices = nullptr;
+  std::vector<Index> reordered;  // where the mesh does not have them in gmsh's order
 };
 
 /// The simplices by dimension, then the cohesive elements if there are any.

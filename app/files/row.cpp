@@ -1,5 +1,7 @@
 #include "files/row.hpp"
 
+#include "cleave/topology/ids.hpp"
+
 namespace cleave::app {
 namespace {
 
@@ -27,10 +29,12 @@ void Row::fail_field(const char* what, bool integer, bool with_sign, int bits) c
 void check_count(const InputText& text, const char* place, const char* end, std::uint64_t count,
                  std::size_t least, const char* what) {
   const std::string claim = std::string(what) + " is " + std::to_string(count);
-  if (count > std::numeric_limits<std::uint32_t>::max())
-    text.fail(place, claim + ": more than 32-bit ids can number (4294967295); split the mesh");
+  if (count >= topology::kNoIndex)
+    text.fail(place, claim + ": more than " + std::to_string(topology::kIdBits) +
+                         "-bit ids can number (" + std::to_string(topology::kNoIndex) +
+                         "); split the mesh");
   const auto bytes_left = static_cast<std::uint64_t>(end - place);
-  if (count * least > bytes_left)
+  if (count > bytes_left / least)
     text.fail(place, claim + ", but only " + std::to_string(bytes_left) +
                          " bytes follow; the count is wrong or the file truncated");
 }

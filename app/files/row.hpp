@@ -76,7 +76,7 @@ class Row {
 };
 
 /// Requires that `count` rows of at least `least` bytes can follow `place`, the count's, up to
-/// `end` and that 32-bit ids can number them. Throws InputError otherwise.
+/// `end` and that ids can number them. Throws InputError otherwise.
 void check_count(const InputText& text, const char* place, const char* end, std::uint64_t count,
                  std::size_t least, const char* what);
 
@@ -102,7 +102,7 @@ class RowReader {
   }
 
   /// Reads a count of rows to come, of `least` bytes each, and makes sure that the text can hold so
-  /// many and that 32-bit ids can number them, so that a count that lies cannot take memory.
+  /// many and that ids can number them, so that a count that lies cannot take memory.
   std::size_t count(Row& row, const char* what, std::size_t least = 1) const;
 
   /// The place after the row that next() returned last.

@@ -150,13 +150,13 @@ class TetgenReader {
     return all;
   }
 
-  std::uint32_t vertex(Row& row) const {
+  Index vertex(Row& row) const {
     const auto number = row.number<std::uint64_t>("the number of a point");
     if (number < *first_ || number - *first_ >= mesh_.points.size())
       row.fail("there is no point " + std::to_string(number) + "; " + texts_.node.source() +
                " has the numbers " + std::to_string(*first_) + " to " +
                std::to_string(*first_ + mesh_.points.size() - 1));
-    return static_cast<std::uint32_t>(number - *first_);
+    return static_cast<Index>(number - *first_);
   }
 
   /// The vertices of an element, and its nodes of second order where it has them.
@@ -164,7 +164,7 @@ class TetgenReader {
     Elements& elements = mesh_.elements[static_cast<std::size_t>(dimension)];
     for (int k = 0; k <= dimension; ++k) elements.vertices.push_back(vertex(row));
     if (!second_order) return;
-    std::array<std::uint32_t, 6> nodes{};
+    std::array<Index, 6> nodes{};
     const std::size_t edges = edges_of_simplex(static_cast<std::size_t>(dimension));
     for (std::size_t k = 0; k < edges; ++k) nodes[k] = vertex(row);
     add_midside(elements, static_cast<std::size_t>(dimension), kTetgenMidside,

@@ -126,8 +126,9 @@ class GridReader {
  private:
   void read_points() {
     const vtkIdType count = grid_.GetNumberOfPoints();
-    if (count > std::numeric_limits<std::uint32_t>::max())
-      fail(path_, std::to_string(count) + " points are more than 32-bit ids can number");
+    if (static_cast<std::uint64_t>(count) >= topology::kNoIndex)
+      fail(path_, std::to_string(count) + " points are more than " +
+                      std::to_string(topology::kIdBits) + "-bit ids can number");
     mesh_.points.resize(static_cast<std::size_t>(count));
     mesh_.vertex_numbers.resize(mesh_.points.size());
     for (vtkIdType i = 0; i < count; ++i) {
@@ -161,22 +162,21 @@ class GridReader {
       fail(path_, "cell " + std::to_string(cell) + " (VTK type " +
                       std::to_string(grid_.GetCellType(cell)) + ") has " + std::to_string(count) +
                       " points instead of " + std::to_string(type.nodes));
-    std::array<std::uint32_t, 10> vertices{};
+    std::array<Index, 10> vertices{};
     for (vtkIdType k = 0; k < count; ++k) {
       if (nodes[k] < 0 || nodes[k] >= grid_.GetNumberOfPoints())
         fail(path_, "cell " + std::to_string(cell) + " uses point " + std::to_string(nodes[k]) +
                         ", but the file has " + std::to_string(grid_.GetNumberOfPoints()) +
                         " points, from 0 on");
-      vertices[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(nodes[k]);
+      vertices[static_cast<std::size_t>(k)] = static_cast<Index>(nodes[k]);
     }
     type.cohesive ? add_cohesive(vertices, static_cast<std::size_t>(count), cell)
                   : add_simplex(vertices, type, cell);
   }
 
-  void add_cohesive(const std::array<std::uint32_t, 10>& vertices, std::size_t count,
-                    vtkIdType cell) {
+  void add_cohesive(const std::array<Index, 10>& vertices, std::size_t count, vtkIdType cell) {
     CohesiveElements& cohesive = mesh_.cohesive;
-    place_.push_back({kCohesive, static_cast<std::uint32_t>(cohesive.size())});
+    place_.push_back({kCohesive, static_cast<Index>(cohesive.size())});
     const std::size_t first = cohesive.vertices.size();
     cohesive.vertices.resize(first + count);
     for (std::size_t k = 0; k < count; ++k)
@@ -185,15 +185,14 @@ class GridReader {
     cohesive.names.emplace_back();
   }
 
-  void add_simplex(const std::array<std::uint32_t, 10>& vertices, const CellType& type,
-                   vtkIdType cell) {
+  void add_simplex(const std::array<Index, 10>& vertices, const CellType& type, vtkIdType cell) {
     const std::size_t d = type.dimension;
     Elements& elements = mesh_.elements[d];
     if (elements.size() > 0 && elements.second_order() != type.second_order)
       fail(path_, "cell " + std::to_string(cell) +
                       " is of another order than the cells of its dimension before it; convert "
                       "the mesh to one order");
-    place_.push_back({d, static_cast<std::uint32_t>(elements.size())});
+    place_.push_back({d, static_cast<Index>(elements.size())});
     elements.vertices.insert(elements.vertices.end(), vertices.begin(),
                              vertices.begin() + static_cast<std::ptrdiff_t>(d + 1));
     if (type.second_order)
@@ -344,7 +343,7 @@ class GridReader {
   /// An element: its dimension, or kCohesive, and its place.
   struct Place {
     std::size_t kind;
-    std::uint32_t element;
+    Index element;
   };
   const std::filesystem::path& path_;
   vtkUnstructuredGrid& grid_;

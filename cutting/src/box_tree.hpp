@@ -31,7 +31,7 @@ class BoxTree {
   /// Time: O(n log n).
   explicit BoxTree(std::span<const Box<D>> boxes) {
     std::vector<Item> items(boxes.size());
-    for (std::uint32_t i = 0; i < items.size(); ++i) items[i] = {rough_middle(boxes[i]), i};
+    for (topology::Index i = 0; i < items.size(); ++i) items[i] = {rough_middle(boxes[i]), i};
     if (!items.empty()) build(boxes, items, 0, items.size());
     items_.reserve(items.size());
     for (const Item& item : items) items_.push_back(item.box);
@@ -60,7 +60,7 @@ class BoxTree {
   /// next in line, and `next` is the one to go on with beside it.
   struct Node {
     Box<D> box;
-    std::uint32_t first, last, next;
+    topology::Index first, last, next;
   };
 
   using Rough = std::array<float, static_cast<std::size_t>(D)>;
@@ -69,7 +69,7 @@ class BoxTree {
   /// the tree, not what is in a node.
   struct Item {
     Rough middle;
-    std::uint32_t box;
+    topology::Index box;
   };
 
   static bool is_leaf(std::size_t count) { return count <= kLeaf; }
@@ -101,8 +101,8 @@ class BoxTree {
       box = build(boxes, items, first, half);
       include(box, build(boxes, items, half, last));
     }
-    nodes_[self] = {box, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last),
-                    static_cast<std::uint32_t>(nodes_.size())};
+    nodes_[self] = {box, static_cast<topology::Index>(first), static_cast<topology::Index>(last),
+                    static_cast<topology::Index>(nodes_.size())};
     return box;
   }
 
@@ -120,7 +120,7 @@ class BoxTree {
     return axis;
   }
 
-  std::vector<std::uint32_t> items_;
+  std::vector<topology::Index> items_;
   std::vector<Node> nodes_;
 };
 

@@ -140,7 +140,7 @@ struct Selector<D>::Impl {
       : k(&complex), incision(owner), points(&places), options(chosen) {
     require_points(complex, places);
     std::vector<Box<D>> boxes(complex.cell_count());
-    for (std::uint32_t c = 0; c < boxes.size(); ++c)
+    for (topology::Index c = 0; c < boxes.size(); ++c)
       boxes[c] = options.rule == Rule::dual_edge ? box_of_dual_edges(complex, places, CellId{c})
                                                  : box_of_vertices(complex, places, CellId{c});
     tree = detail::BoxTree<D>(boxes);
@@ -148,7 +148,7 @@ struct Selector<D>::Impl {
 
   /// Appends the facets whose dual edge crosses `simplex`.
   void cross_dual_edges(const SweptSimplex<D>& simplex, std::vector<HalfFacetId>& crossed) const {
-    tree.visit_near(simplex, [&](std::uint32_t cell) {
+    tree.visit_near(simplex, [&](topology::Index cell) {
       const Point<D> own = dual_point(*k, *points, CellId{cell});
       std::optional<int> own_side;  // found once it is asked for
       for_lesser_half_facets(*k, CellId{cell}, [&](HalfFacetId h, HalfFacetId mate) {
@@ -189,7 +189,7 @@ struct Selector<D>::Impl {
                                                       const ClosestSets& sets) const {
     ClosestSets grown;
     for (const SweptSimplex<D>& simplex : step)
-      tree.visit_near(simplex, [&](std::uint32_t cell) {
+      tree.visit_near(simplex, [&](topology::Index cell) {
         if (const unsigned put_in = nearest(simplex, CellId{cell})) grown[CellId{cell}] |= put_in;
       });
     std::vector<std::pair<CellId, unsigned>> result;

@@ -24,7 +24,7 @@ Eigen::Matrix3d inverse_on(Eigen::Matrix3d block, const std::array<bool, 3>& is_
 BlockJacobi::BlockJacobi(const ElasticOperator& k_operator, const Dirichlet& supports)
     : inverses_(k_operator.vertex_count(), Eigen::Matrix3d::Zero()) {
   auto next = supports.values().begin();
-  for (std::uint32_t v = 0; v < inverses_.size(); ++v) {
+  for (topology::Index v = 0; v < inverses_.size(); ++v) {
     std::array<bool, 3> is_free{true, true, true};
     for (; next != supports.values().end() && next->first / 3 == v; ++next)
       is_free[next->first % 3] = false;

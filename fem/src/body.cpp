@@ -51,7 +51,7 @@ std::string describe_all(const std::vector<BodyFlaw>& flaws) {
 std::vector<BodyFlaw> points_not_finite(const Complex<3>& k, Points points) {
   std::vector<BodyFlaw> flaws;
   std::vector<bool> seen(points.size(), false);
-  for (std::uint32_t c = 0; c < k.cell_count(); ++c)
+  for (topology::Index c = 0; c < k.cell_count(); ++c)
     for (const VertexId v : k.vertices({c})) {
       if (seen[v.value]) continue;
       seen[v.value] = true;
@@ -75,13 +75,13 @@ std::vector<BodyFlaw> check_body(const Complex<3>& k, Points points) {
   const auto pieces = topology::pieces(k);
   std::vector<std::int8_t> side(k.cell_count(), 0);    // geometric orientation; 0: flat
   std::vector<std::int64_t> balance(pieces.count, 0);  // positive minus negative cells
-  for (std::uint32_t c = 0; c < k.cell_count(); ++c) {
+  for (topology::Index c = 0; c < k.cell_count(); ++c) {
     const Eigen::Matrix3d edges = edge_matrix(k, points, {c});
     if (is_flat(edges)) continue;
     side[c] = static_cast<std::int8_t>((edges.determinant() > 0.0 ? 1 : -1) * k.sign({c}));
     balance[pieces.of_cell[c]] += side[c];
   }
-  for (std::uint32_t c = 0; c < k.cell_count(); ++c) {
+  for (topology::Index c = 0; c < k.cell_count(); ++c) {
     const int majority = balance[pieces.of_cell[c]] >= 0 ? 1 : -1;
     if (side[c] == 0)
       flaws.emplace_back(FlatCell{{c}});
@@ -99,7 +99,7 @@ std::vector<BodyFlaw> check_materials(const Complex<3>& k, const Materials& mate
   std::vector<BodyFlaw> flaws;
   for (std::uint32_t m = 0; m < materials.table.size(); ++m)
     if (!is_positive(materials.table[m])) flaws.emplace_back(BadMaterial{m, materials.table[m]});
-  for (std::uint32_t c = 0; c < k.cell_count(); ++c)
+  for (topology::Index c = 0; c < k.cell_count(); ++c)
     if (materials.of_cell[c] >= materials.table.size())
       flaws.emplace_back(UnknownMaterial{{c}, materials.of_cell[c]});
   return flaws;
@@ -112,7 +112,7 @@ double cell_volume(const Complex<3>& k, Points points, CellId cell) {
 std::vector<double> star_volumes(const Complex<3>& k, Points points) {
   require_one_point_per_vertex(k, points);
   std::vector<double> volumes(k.vertex_count(), 0.0);
-  for (std::uint32_t c = 0; c < k.cell_count(); ++c) {
+  for (topology::Index c = 0; c < k.cell_count(); ++c) {
     const double volume = cell_volume(k, points, {c});
     for (const VertexId v : k.vertices({c})) volumes[v.value] += volume;
   }

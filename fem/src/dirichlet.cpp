@@ -71,7 +71,7 @@ std::vector<SupportConflict> Dirichlet::conflicts(std::span<const topology::Merg
         if (at == values_.end()) continue;
         if (first == values_.end()) first = at;
         if (first->second == at->second) continue;
-        const VertexId one{static_cast<std::uint32_t>(first->first / 3)};
+        const VertexId one{static_cast<topology::Index>(first->first / 3)};
         found.push_back({one, v, axis, first->second, at->second});
         break;
       }

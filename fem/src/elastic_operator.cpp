@@ -44,12 +44,12 @@ ElasticOperator::ElasticOperator(const topology::Complex<3>& k, Points points,
   if (!flaws.empty()) throw InvalidBody(std::move(flaws));
 
   gradients_.reserve(cells_.size());
-  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+  for (topology::Index c = 0; c < cells_.size(); ++c) {
     const Eigen::Matrix3d edges = edge_matrix(k, points, {c});
     const double volume = std::abs(edges.determinant()) / 6.0;
     gradients_.emplace_back(std::sqrt(volume) * edges.inverse());
   }
-  for (std::uint32_t h = 0; h < 4 * cells_.size(); ++h)
+  for (topology::Index h = 0; h < 4 * cells_.size(); ++h)
     diagonal_[k.vertex({h}).value] += diagonal_share({h});
 }
 

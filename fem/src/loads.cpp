@@ -101,7 +101,7 @@ Eigen::VectorXd force_vector(const topology::Complex<3>& k, Points points, const
   if (loads.gravity == Eigen::Vector3d::Zero()) return f;
 
   require_density(k, loads.density);
-  for (std::uint32_t c = 0; c < k.cell_count(); ++c) {
+  for (topology::Index c = 0; c < k.cell_count(); ++c) {
     const double mass = loads.density[c] * cell_volume(k, points, {c});
     for (const VertexId v : k.vertices({c})) entries_of(f, v) += (mass / 4.0) * loads.gravity;
   }

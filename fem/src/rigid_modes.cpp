@@ -45,7 +45,7 @@ std::vector<UnsupportedPiece> all_pieces(const topology::Complex<3>& k,
                                          const topology::Pieces& pieces) {
   std::vector<UnsupportedPiece> all(pieces.count);
   std::vector<bool> seen(k.vertex_count(), false);
-  for (auto c = static_cast<std::uint32_t>(k.cell_count()); c-- > 0;) {
+  for (auto c = static_cast<topology::Index>(k.cell_count()); c-- > 0;) {
     UnsupportedPiece& piece = all[pieces.of_cell[c]];
     piece.piece = pieces.of_cell[c];
     piece.a_cell = {c};

@@ -36,7 +36,7 @@ void require_fit(const Complex<3>& k, const ElasticOperator& k_operator,
 
 /// Keeps vertices that no cell uses where they are; throws if one is loaded.
 void hold_unused_vertices(const Complex<3>& k, const Eigen::VectorXd& force, Eigen::VectorXd& u) {
-  for (std::uint32_t v = 0; v < k.vertex_count(); ++v) {
+  for (topology::Index v = 0; v < k.vertex_count(); ++v) {
     if (k.a_corner({v})) continue;
     const Eigen::Vector3d load = force.segment<3>(3 * static_cast<Eigen::Index>(v));
     if (!(load == Eigen::Vector3d::Zero()))

@@ -7,7 +7,7 @@ namespace cleave::fem {
 Eigen::SparseMatrix<double, Eigen::RowMajor> assemble_stiffness(const ElasticOperator& k_operator) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(144 * k_operator.cell_count());
-  for (std::uint32_t c = 0; c < k_operator.cell_count(); ++c) {
+  for (topology::Index c = 0; c < k_operator.cell_count(); ++c) {
     const CellStiffness share = k_operator.cell_stiffness({c});
     const topology::Cell<3>& cell = k_operator.vertices({c});
     for (Eigen::Index row = 0; row < 12; ++row)

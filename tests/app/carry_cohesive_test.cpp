@@ -14,7 +14,7 @@ namespace cleave::app::test {
 namespace {
 
 using Vector = std::array<double, 3>;
-using Tuple = std::vector<std::uint32_t>;
+using Tuple = std::vector<Index>;
 
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Vector cross(const Vector& a, const Vector& b) {
@@ -41,7 +41,7 @@ double measure(const std::vector<Vector>& p) {
 template <int D>
 std::multiset<Tuple> facets_in(const Mesh& out, const std::string& name) {
   std::multiset<Tuple> all;
-  for (const std::uint32_t e : group(out, name).elements) {
+  for (const Index e : group(out, name).elements) {
     const auto from = out.facets().vertices.begin() + static_cast<std::ptrdiff_t>(D) * e;
     Tuple facet(from, from + D);
     std::sort(facet.begin(), facet.end());
@@ -54,10 +54,9 @@ std::multiset<Tuple> facets_in(const Mesh& out, const std::string& name) {
 template <int D>
 Vector centre_of_cell_at(const Mesh& out, const Tuple& facet) {
   for (std::size_t c = 0; c < out.cells().size(); ++c) {
-    const std::uint32_t* cell = &out.cells().vertices[(D + 1) * c];
-    if (!std::all_of(facet.begin(), facet.end(), [&](std::uint32_t v) {
-          return std::find(cell, cell + D + 1, v) != cell + D + 1;
-        }))
+    const Index* cell = &out.cells().vertices[(D + 1) * c];
+    if (!std::all_of(facet.begin(), facet.end(),
+                     [&](Index v) { return std::find(cell, cell + D + 1, v) != cell + D + 1; }))
       continue;
     Vector centre{};
     for (std::size_t i = 0; i <= D; ++i)
@@ -80,7 +79,7 @@ void lie_between_the_sides() {
   RC_TAG(std::string(support::name(cut_class)));
   Mesh mesh = grid_mesh(grid, rng);
   // random_cut numbers half-facets by the order of the grid's tuples: name facets by vertices.
-  std::vector<std::uint32_t> places;
+  std::vector<Index> places;
   for (const auto h : *facets)
     for (int i = 0; i <= D; ++i)
       if (i != topology::local_index<D>(h))
@@ -103,7 +102,7 @@ void lie_between_the_sides() {
     const auto from = cohesive.vertices.begin() + static_cast<std::ptrdiff_t>(2 * D * e);
     Tuple bottom(from, from + D), top(from + D, from + 2 * D);
     std::vector<Vector> p;
-    for (const std::uint32_t v : bottom) p.push_back(out.points[v]);
+    for (const Index v : bottom) p.push_back(out.points[v]);
     for (std::size_t i = 0; i < D; ++i) RC_ASSERT(out.points[top[i]] == p[i]);
     RC_ASSERT(measure([&] {
                 auto q = p;

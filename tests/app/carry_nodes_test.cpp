@@ -15,7 +15,7 @@
 namespace cleave::app::test {
 namespace {
 
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
+using Edge = std::pair<Index, Index>;
 
 // Calls visit(edge as an ascending pair of places, node) for the edges of an element.
 template <class Visit>
@@ -28,19 +28,19 @@ void for_edges(const Elements& elements, std::size_t k, std::size_t e, Visit vis
           elements.midside[n++]);
 }
 
-std::uint32_t origin(const Mesh& out, std::uint32_t place) {
-  return static_cast<std::uint32_t>(out.point_fields.front().values[place]);
+Index origin(const Mesh& out, Index place) {
+  return static_cast<Index>(out.point_fields.front().values[place]);
 }
 
 // What the vertices of a facet were in the file, as one number.
-double signature(std::vector<std::uint32_t> places) {
+double signature(std::vector<Index> places) {
   std::sort(places.begin(), places.end());
   double sum = 0;
-  for (const std::uint32_t p : places) sum = 1000 * sum + p + 1;
+  for (const Index p : places) sum = 1000 * sum + p + 1;
   return sum;
 }
 
-std::vector<std::uint32_t> tuple(const Elements& elements, std::size_t corners, std::size_t e) {
+std::vector<Index> tuple(const Elements& elements, std::size_t corners, std::size_t e) {
   const auto from = elements.vertices.begin() + static_cast<std::ptrdiff_t>(corners * e);
   return {from, from + static_cast<std::ptrdiff_t>(corners)};
 }
@@ -65,7 +65,7 @@ Case<D> random_case(support::Rng& rng, bool second_order) {
     RC_TAG(std::string(support::name(mesh_class)));
     Case<D> c{mesh_of(cells, rng), *facets};
     std::vector<topology::HalfFacetId> some;
-    for (std::uint32_t h = 0; h < static_cast<std::uint32_t>(D + 1) * cells.cells.size(); ++h)
+    for (Index h = 0; h < static_cast<Index>(D + 1) * cells.cells.size(); ++h)
       if (rng.chance(0.1)) some.push_back({h});
     add_facets<D>(c.mesh, "other", some, rng);
     add_facets<D>(c.mesh, "seam", c.facets, rng);
@@ -81,10 +81,10 @@ Case<D> random_case(support::Rng& rng, bool second_order) {
     if (second_order) add_nodes(c.mesh, rng);
     if (D > 1) {
       Group pins{"pins", 0, 9, {}};
-      for (std::uint32_t p = 0; p < c.mesh.points.size(); p += 4) {
+      for (Index p = 0; p < c.mesh.points.size(); p += 4) {
         c.mesh.elements[0].vertices.push_back(p);
         c.mesh.elements[0].numbers.push_back(9000 + p);
-        pins.elements.push_back(static_cast<std::uint32_t>(pins.elements.size()));
+        pins.elements.push_back(static_cast<Index>(pins.elements.size()));
       }
       c.mesh.groups.push_back(pins);
     }
@@ -100,7 +100,7 @@ Case<D> random_case(support::Rng& rng, bool second_order) {
 template <int D>
 void require_cells_kept(const Mesh& before, const Mesh& out) {
   RC_ASSERT(out.cells().numbers == before.cells().numbers);
-  std::set<std::uint32_t> used(out.cells().vertices.begin(), out.cells().vertices.end());
+  std::set<Index> used(out.cells().vertices.begin(), out.cells().vertices.end());
   used.insert(out.cells().midside.begin(), out.cells().midside.end());
   RC_ASSERT(used.size() == out.points.size());
   for (std::size_t i = 0; i < before.cells().vertices.size(); ++i)
@@ -108,39 +108,39 @@ void require_cells_kept(const Mesh& before, const Mesh& out) {
   RC_ASSERT(out.cells().midside.size() == before.cells().midside.size());
   for (std::size_t i = 0; i < before.cells().midside.size(); ++i)
     RC_ASSERT(origin(out, out.cells().midside[i]) == before.cells().midside[i]);
-  for (std::uint32_t p = 0; p < out.points.size(); ++p)
+  for (Index p = 0; p < out.points.size(); ++p)
     RC_ASSERT(out.points[p] == before.points[origin(out, p)]);
 }
 
 // Two corners with one node before have one after exactly if their edges are the same after.
 template <int D>
 void require_nodes_follow_edges(const Mesh& out) {
-  std::map<Edge, std::uint32_t> node_on;
-  std::map<std::uint32_t, Edge> edge_of;
+  std::map<Edge, Index> node_on;
+  std::map<Index, Edge> edge_of;
   for (std::size_t c = 0; c < out.cells().size(); ++c)
-    for_edges(out.cells(), D, c, [&](Edge edge, std::uint32_t node) {
+    for_edges(out.cells(), D, c, [&](Edge edge, Index node) {
       RC_ASSERT(node_on.emplace(edge, node).first->second == node);
       RC_ASSERT(edge_of.emplace(node, edge).first->second == edge);
     });
   for (std::size_t k = 1; k < D; ++k)
     for (std::size_t e = 0; e < out.elements[k].size(); ++e)
       for_edges(out.elements[k], k, e,
-                [&](Edge edge, std::uint32_t node) { RC_ASSERT(node_on.at(edge) == node); });
+                [&](Edge edge, Index node) { RC_ASSERT(node_on.at(edge) == node); });
 }
 
 // Original points in their order, copies of vertices, copies of nodes by (original, least cell).
 template <int D>
 void require_canonical_order(const Mesh& out) {
-  std::map<std::uint32_t, std::size_t> least_cell;  // of nodes
+  std::map<Index, std::size_t> least_cell;  // of nodes
   constexpr std::size_t kEdges = D * (D + 1) / 2;
   for (std::size_t i = 0; i < out.cells().midside.size(); ++i)
     least_cell.emplace(out.cells().midside[i], i / kEdges);
-  std::set<std::uint32_t> seen;
-  std::vector<std::pair<std::uint32_t, std::size_t>> node_copies;
-  std::uint32_t last_original = 0;
+  std::set<Index> seen;
+  std::vector<std::pair<Index, std::size_t>> node_copies;
+  Index last_original = 0;
   bool copies_began = false;
-  for (std::uint32_t p = 0; p < out.points.size(); ++p) {
-    const std::uint32_t from = origin(out, p);
+  for (Index p = 0; p < out.points.size(); ++p) {
+    const Index from = origin(out, p);
     const bool node = least_cell.count(p) != 0;
     if (seen.insert(from).second) {
       RC_ASSERT(!copies_began);
@@ -153,7 +153,7 @@ void require_canonical_order(const Mesh& out) {
     if (node) node_copies.emplace_back(from, least_cell[p]);
   }
   RC_ASSERT(std::is_sorted(node_copies.begin(), node_copies.end()));
-  std::map<std::uint32_t, std::size_t> of_original;
+  std::map<Index, std::size_t> of_original;
   for (const auto& [p, cell] : least_cell) {
     const auto at = of_original.emplace(origin(out, p), cell).first;  // ascending: original first
     RC_ASSERT(at->second <= cell);
@@ -169,7 +169,7 @@ void require_facet_values(const Mesh& before, const Mesh& out) {
   RC_ASSERT(out.facet_fields.front().values.size() == out.facets().size());
   for (std::size_t e = 0; e < out.facets().size(); ++e) {
     auto vertices = tuple(out.facets(), D, e);
-    for (std::uint32_t& v : vertices) v = origin(out, v);
+    for (Index& v : vertices) v = origin(out, v);
     const double value = out.facet_fields.front().values[e], expected = signature(vertices);
     RC_ASSERT((signatures.count(expected) != 0 ? value == expected : std::isnan(value)));
   }
@@ -177,11 +177,10 @@ void require_facet_values(const Mesh& before, const Mesh& out) {
 
 // The vertex group is on all copies of the vertices and nodes it was on.
 void require_pins(const Mesh& before, const Mesh& out) {
-  std::set<std::uint32_t> pinned, expected, in_cells;
-  for (const std::uint32_t v : before.cells().vertices) in_cells.insert(v);
-  for (const std::uint32_t e : group(out, "pins").elements)
-    pinned.insert(out.elements[0].vertices[e]);
-  for (std::uint32_t p = 0; p < out.points.size(); ++p)
+  std::set<Index> pinned, expected, in_cells;
+  for (const Index v : before.cells().vertices) in_cells.insert(v);
+  for (const Index e : group(out, "pins").elements) pinned.insert(out.elements[0].vertices[e]);
+  for (Index p = 0; p < out.points.size(); ++p)
     if (origin(out, p) % 4 == 0) expected.insert(p);
   RC_ASSERT(pinned == expected);
 }
@@ -250,7 +249,7 @@ TEST(EdgeNodes, TheNodeOfACutEdgeIsCopied) {
   EXPECT_EQ(out.points.size(), 12u);  // two copies of vertices, then one of node 5
   EXPECT_EQ(out.vertex_numbers[11], 12u);
   EXPECT_EQ(out.points[11], mesh.points[4]);
-  EXPECT_EQ(out.cells().midside, (std::vector<std::uint32_t>{4, 5, 6, 11, 8, 7}));
+  EXPECT_EQ(out.cells().midside, (std::vector<Index>{4, 5, 6, 11, 8, 7}));
   EXPECT_EQ(out.elements[1].midside.size(), 2u);
   EXPECT_EQ(done.output.vertex_at[11], kNoVertex);
 }

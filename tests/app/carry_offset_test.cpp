@@ -39,13 +39,13 @@ TEST(Offset, OpensAPlaneByItsDistanceAndLeavesTheTip) {
   move_sides(done.body, done.incision, 0.25, done.output);
   const Mesh& out = done.output.mesh;
   EXPECT_TRUE(done.output.warnings.empty());
-  std::set<std::uint32_t> moved;
+  std::set<Index> moved;
   for (const MovedPoint& point : done.output.moved) {
     moved.insert(point.place);
     EXPECT_EQ(point.before, before.points[point.place]);
   }
   std::size_t apart = 0, halfway = 0;
-  for (std::uint32_t p = 0; p < out.points.size(); ++p) {
+  for (Index p = 0; p < out.points.size(); ++p) {
     const auto &from = before.points[p], &to = out.points[p];
     EXPECT_EQ(moved.count(p) != 0, from != to);
     EXPECT_NEAR(from[1], to[1], 1e-15);
@@ -60,7 +60,7 @@ TEST(Offset, OpensAPlaneByItsDistanceAndLeavesTheTip) {
   }
   EXPECT_GT(apart, 0u);
   EXPECT_GT(halfway, 0u);
-  for (std::uint32_t p = 0; p < out.points.size(); ++p)
+  for (Index p = 0; p < out.points.size(); ++p)
     if (before.points[p][1] >= 2 && done.output.vertex_at[p] != kNoVertex) {
       EXPECT_EQ(before.points[p], out.points[p]) << "at the tip and beyond";
     }

@@ -16,8 +16,8 @@ namespace cleave::app::test {
 namespace {
 
 using Point = std::array<double, 3>;
-using Tuple = std::vector<std::uint32_t>;
-using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+using Tuple = std::vector<Index>;
+using Pairs = std::set<std::pair<Index, Index>>;
 
 // A Kuhn grid, and the condition that makes its ends in each of the first `axes` axes periodic: the
 // far end is the entity 10 + axis, the near end its master 20 + axis.
@@ -27,7 +27,7 @@ Mesh periodic_grid(const support::KuhnGrid<D>& grid, int axes, support::Rng& rng
   for (int axis = 0; axis < axes; ++axis) {
     const auto x = static_cast<std::size_t>(axis);
     Periodicity p{D - 1, 10 + axis, 20 + axis, {}, {}};
-    for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+    for (Index v = 0; v < mesh.points.size(); ++v) {
       auto at = grid.point({v});
       if (at[x] != grid.nodes[x] - 1) continue;
       at[x] = 0;
@@ -40,8 +40,8 @@ Mesh periodic_grid(const support::KuhnGrid<D>& grid, int axes, support::Rng& rng
 
 // Also pairs nodes of second order, by their coordinates.
 void pair_nodes(Mesh& mesh, const std::array<double, 3>& length) {
-  std::map<Point, std::uint32_t> at;
-  for (std::uint32_t p = 0; p < mesh.points.size(); ++p) at[mesh.points[p]] = p;
+  std::map<Point, Index> at;
+  for (Index p = 0; p < mesh.points.size(); ++p) at[mesh.points[p]] = p;
   for (std::size_t x = 0; x < mesh.periodic.size(); ++x) {
     mesh.periodic[x].pairs.clear();
     for (const auto& [point, place] : at) {
@@ -56,15 +56,14 @@ void pair_nodes(Mesh& mesh, const std::array<double, 3>& length) {
 // The boundary facets of `mesh` in the plane where coordinate `x` is `value`: vertices and nodes,
 // by their points.
 template <int D>
-std::vector<std::map<Point, std::uint32_t>> facets_in_plane(const Mesh& mesh, std::size_t x,
-                                                            double value) {
-  std::vector<std::map<Point, std::uint32_t>> all;
+std::vector<std::map<Point, Index>> facets_in_plane(const Mesh& mesh, std::size_t x, double value) {
+  std::vector<std::map<Point, Index>> all;
   for (std::size_t c = 0; c < mesh.cells().size(); ++c)
     for (std::size_t apex = 0; apex <= D; ++apex) {
-      std::map<Point, std::uint32_t> facet;
+      std::map<Point, Index> facet;
       for (std::size_t i = 0; i <= D; ++i) {
         if (i == apex) continue;
-        const std::uint32_t v = mesh.cells().vertices[(D + 1) * c + i];
+        const Index v = mesh.cells().vertices[(D + 1) * c + i];
         facet[mesh.points[v]] = v;
       }
       std::size_t edge = D * (D + 1) / 2 * c;
@@ -82,7 +81,7 @@ std::vector<std::map<Point, std::uint32_t>> facets_in_plane(const Mesh& mesh, st
 // What the two ends of axis `x` make pairs, from coordinates alone.
 template <int D>
 Pairs pairs_by_coordinates(const Mesh& mesh, std::size_t x, double length) {
-  std::map<std::set<Point>, std::map<Point, std::uint32_t>> near;
+  std::map<std::set<Point>, std::map<Point, Index>> near;
   for (const auto& facet : facets_in_plane<D>(mesh, x, 0)) {
     std::set<Point> key;
     for (const auto& [point, place] : facet) key.insert(point);
@@ -90,7 +89,7 @@ Pairs pairs_by_coordinates(const Mesh& mesh, std::size_t x, double length) {
   }
   Pairs pairs;
   for (const auto& facet : facets_in_plane<D>(mesh, x, length)) {
-    std::map<Point, std::uint32_t> image;
+    std::map<Point, Index> image;
     std::set<Point> key;
     for (const auto& [point, place] : facet) {
       Point moved = point;
@@ -104,7 +103,7 @@ Pairs pairs_by_coordinates(const Mesh& mesh, std::size_t x, double length) {
 }
 
 bool one_to_one(const Pairs& pairs) {
-  std::set<std::uint32_t> ones, others;
+  std::set<Index> ones, others;
   for (const auto& [one, other] : pairs)
     if (!ones.insert(one).second || !others.insert(other).second) return false;
   return true;
@@ -206,7 +205,7 @@ std::vector<Tuple> advised(const std::string& message) {
   while ((from = message.find('(', from)) != std::string::npos) {
     Tuple& facet = facets.emplace_back();
     std::istringstream in(message.substr(++from));
-    for (std::uint32_t n = 0; in >> n;) facet.push_back((n - 10) / 3);
+    for (Index n = 0; in >> n;) facet.push_back((n - 10) / 3);
   }
   return facets;
 }

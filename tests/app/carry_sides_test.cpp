@@ -13,7 +13,7 @@ namespace cleave::app::test {
 namespace {
 
 using topology::HalfFacetId;
-using Tuple = std::vector<std::uint32_t>;
+using Tuple = std::vector<Index>;
 
 // A Kuhn grid with every cell in region 0 or 1, and the facets between the regions.
 struct Regions {
@@ -29,9 +29,9 @@ Regions divide(const support::KuhnGrid<3>& grid, support::Rng& rng, Region regio
   r.mesh = grid_mesh(grid, rng);
   for (std::size_t c = 0; c < grid.cells.size(); ++c) r.of_cell.push_back(region(grid.cube(c)));
   std::map<Tuple, HalfFacetId> first;
-  for (std::uint32_t h = 0; h < 4 * grid.cells.size(); ++h) {
+  for (Index h = 0; h < 4 * grid.cells.size(); ++h) {
     Tuple facet;
-    for (std::uint32_t i = 0; i < 4; ++i)
+    for (Index i = 0; i < 4; ++i)
       if (i != h % 4) facet.push_back(r.mesh.cells().vertices[4 * (h / 4) + i]);
     std::sort(facet.begin(), facet.end());
     const auto [at, is_new] = first.emplace(facet, HalfFacetId{h});
@@ -57,11 +57,11 @@ Regions random_regions(support::Rng& rng) {
 }
 
 // The cell of OUT that has the facet `e` of OUT, and its half-facet there.
-std::map<Tuple, std::uint32_t> half_facets(const Mesh& out) {
-  std::map<Tuple, std::uint32_t> of;
-  for (std::uint32_t h = 0; h < 4 * out.cells().size(); ++h) {
+std::map<Tuple, Index> half_facets(const Mesh& out) {
+  std::map<Tuple, Index> of;
+  for (Index h = 0; h < 4 * out.cells().size(); ++h) {
     Tuple facet;
-    for (std::uint32_t i = 0; i < 4; ++i)
+    for (Index i = 0; i < 4; ++i)
       if (i != h % 4) facet.push_back(out.cells().vertices[4 * (h / 4) + i]);
     std::sort(facet.begin(), facet.end());
     of[facet] = h;
@@ -69,13 +69,13 @@ std::map<Tuple, std::uint32_t> half_facets(const Mesh& out) {
   return of;
 }
 
-Tuple facet_tuple(const Mesh& mesh, std::uint32_t e) {
+Tuple facet_tuple(const Mesh& mesh, Index e) {
   const auto from = mesh.elements[2].vertices.begin() + 3 * e;
   return {from, from + 3};
 }
 
 // Whether the normal of the stored triangle points away from the cell of half-facet `h`.
-bool points_away(const Mesh& mesh, const Tuple& t, std::uint32_t h) {
+bool points_away(const Mesh& mesh, const Tuple& t, Index h) {
   const auto& p = mesh.points;
   const auto apex = p[mesh.cells().vertices[h]];
   double volume = 0;
@@ -120,18 +120,18 @@ std::vector<std::size_t> sheets(const std::vector<Tuple>& facets) {
 // A facet of OUT's minus side: its vertices and half-facets in MESH.
 struct Sided {
   Tuple facet;
-  std::uint32_t least, minus;
+  Index least, minus;
 };
 
 std::vector<Sided> sided(const CutMesh<3>& done, const std::string& name) {
   const Mesh& out = done.output.mesh;
   const auto in_out = half_facets(out);
   std::vector<Sided> all;
-  for (const std::uint32_t e : group(out, name).elements) {
+  for (const Index e : group(out, name).elements) {
     Tuple now = facet_tuple(out, e);
     std::sort(now.begin(), now.end());
     Sided s{{}, 0, in_out.at(now)};
-    for (const std::uint32_t v : now) s.facet.push_back(done.output.origin[v]);
+    for (const Index v : now) s.facet.push_back(done.output.origin[v]);
     s.least = std::min(s.minus, done.body.complex.mate({s.minus})->value);
     all.push_back(s);
   }
@@ -155,7 +155,7 @@ RC_GTEST_PROP(Sides, AreOneAlongASheetWhicheverWayItsFacetsAreStored, ()) {
   for (const Sided& s : minus) facets.push_back(s.facet);
   const auto sheet = sheets(facets);
   std::map<Tuple, Tuple> stored;
-  for (std::uint32_t e = 0; e < r.mesh.elements[2].size(); ++e) {
+  for (Index e = 0; e < r.mesh.elements[2].size(); ++e) {
     const Tuple t = facet_tuple(r.mesh, e);
     Tuple key = t;
     std::sort(key.begin(), key.end());
@@ -238,7 +238,7 @@ RC_GTEST_PROP(Sides, DoNotDependOnTheOrderOfTheRequest, ()) {
     deciding.insert(key);
   }
   std::size_t flips = 0;
-  for (std::uint32_t e = 0; e < turned.mesh.elements[2].size(); ++e) {
+  for (Index e = 0; e < turned.mesh.elements[2].size(); ++e) {
     Tuple key = facet_tuple(turned.mesh, e);
     std::sort(key.begin(), key.end());
     if (deciding.count(key) != 0 || rng.chance(0.5)) continue;

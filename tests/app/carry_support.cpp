@@ -30,7 +30,7 @@ Mesh grid_mesh(const support::KuhnGrid<D>& grid, Rng& rng) {
   auto cells = static_cast<const support::Mesh<D>&>(grid);
   for (auto& cell : cells.cells) rng.shuffle(cell);
   Mesh mesh = mesh_of(cells, rng);
-  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+  for (Index v = 0; v < mesh.points.size(); ++v) {
     const auto p = grid.point({v});
     mesh.points[v] = {};
     std::copy(p.begin(), p.end(), mesh.points[v].begin());
@@ -45,13 +45,13 @@ void add_facets(Mesh& mesh, const std::string& name, const std::vector<HalfFacet
   Group group{name, D - 1, static_cast<std::int32_t>(mesh.groups.size() + 1), {}};
   const std::uint64_t number = 1000 + elements.size();
   for (const HalfFacetId h : facets) {
-    const std::uint32_t* cell =
+    const Index* cell =
         &mesh.cells().vertices[static_cast<std::size_t>(D + 1) * topology::cell_of<D>(h).value];
-    std::vector<std::uint32_t> tuple;
+    std::vector<Index> tuple;
     for (int i = 0; i <= D; ++i)
       if (i != topology::local_index<D>(h)) tuple.push_back(cell[i]);
     rng.shuffle(tuple);
-    group.elements.push_back(static_cast<std::uint32_t>(elements.size()));
+    group.elements.push_back(static_cast<Index>(elements.size()));
     elements.vertices.insert(elements.vertices.end(), tuple.begin(), tuple.end());
     elements.numbers.push_back(number + group.elements.size());
   }
@@ -59,7 +59,7 @@ void add_facets(Mesh& mesh, const std::string& name, const std::vector<HalfFacet
 }
 
 void add_nodes(Mesh& mesh, Rng& rng) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> node_on;
+  std::map<std::pair<Index, Index>, Index> node_on;
   for (int k = mesh.dimension; k >= 1; --k) {
     Elements& elements = mesh.elements[static_cast<std::size_t>(k)];
     const auto corners = static_cast<std::size_t>(k) + 1;
@@ -68,7 +68,7 @@ void add_nodes(Mesh& mesh, Rng& rng) {
         for (std::size_t j = i + 1; j < corners; ++j) {
           const auto a = elements.vertices[corners * e + i], b = elements.vertices[corners * e + j];
           const auto [at, is_new] =
-              node_on.emplace(std::minmax(a, b), static_cast<std::uint32_t>(mesh.points.size()));
+              node_on.emplace(std::minmax(a, b), static_cast<Index>(mesh.points.size()));
           if (is_new) {
             auto middle = mesh.points[a];
             for (std::size_t x = 0; x < 3; ++x) middle[x] = (middle[x] + mesh.points[b][x]) / 2;
@@ -78,14 +78,14 @@ void add_nodes(Mesh& mesh, Rng& rng) {
           elements.midside.push_back(at->second);
         }
   }
-  std::vector<std::uint32_t> place(mesh.points.size());
-  for (std::uint32_t p = 0; p < place.size(); ++p) place[p] = p;
+  std::vector<Index> place(mesh.points.size());
+  for (Index p = 0; p < place.size(); ++p) place[p] = p;
   rng.shuffle(place);
   const auto points = mesh.points;
-  for (std::uint32_t p = 0; p < place.size(); ++p) mesh.points[place[p]] = points[p];
+  for (Index p = 0; p < place.size(); ++p) mesh.points[place[p]] = points[p];
   for (Elements& elements : mesh.elements) {
-    for (std::uint32_t& v : elements.vertices) v = place[v];
-    for (std::uint32_t& n : elements.midside) n = place[n];
+    for (Index& v : elements.vertices) v = place[v];
+    for (Index& n : elements.midside) n = place[n];
   }
   for (Periodicity& p : mesh.periodic)
     for (auto& pair : p.pairs) pair = {place[pair.vertex], place[pair.master]};

@@ -66,8 +66,8 @@ TEST(XmlText, EscapesMarkupAndReplacesWhatXmlCannotSay) {
 }
 
 // Sets of points joined by steps of at most `distance`, by comparing all with all.
-std::set<std::vector<std::uint32_t>> close_by_definition(
-    const std::vector<std::array<double, 3>>& points, double distance) {
+std::set<std::vector<Index>> close_by_definition(const std::vector<std::array<double, 3>>& points,
+                                                 double distance) {
   std::vector<std::size_t> set(points.size());
   for (std::size_t i = 0; i < set.size(); ++i) set[i] = i;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -78,10 +78,10 @@ std::set<std::vector<std::uint32_t>> close_by_definition(
       for (std::size_t& s : set)
         if (s == old) s = now;
     }
-  std::set<std::vector<std::uint32_t>> sets;
+  std::set<std::vector<Index>> sets;
   for (std::size_t name = 0; name < set.size(); ++name) {
-    std::vector<std::uint32_t> members;
-    for (std::uint32_t i = 0; i < set.size(); ++i)
+    std::vector<Index> members;
+    for (Index i = 0; i < set.size(); ++i)
       if (set[i] == name) members.push_back(i);
     if (members.size() > 1) sets.insert(members);
   }
@@ -93,8 +93,8 @@ TEST(ClosePoints, AreThoseOfTheDefinition) {
   std::size_t found = 0;
   for (int round = 0; round < 60; ++round) {
     std::vector<std::array<double, 3>> points(60);
-    std::vector<std::uint32_t> places;
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
+    std::vector<Index> places;
+    for (Index i = 0; i < points.size(); ++i) {
       for (double& x : points[i])
         x = static_cast<double>(random() % 1000) / 100 - 5 + (round % 3 == 0 ? 0 : 1e6);
       if (round % 5 == 0 && i % 3 == 0 && i > 0) points[i] = points[i - 1];
@@ -104,7 +104,7 @@ TEST(ClosePoints, AreThoseOfTheDefinition) {
         std::array{0.0, 0.3, 1.0, 2.5, 40.0}[static_cast<std::size_t>(round) % 5];
     const auto sets = close_points(points, places, distance);
     found += sets.size();
-    EXPECT_EQ((std::set<std::vector<std::uint32_t>>(sets.begin(), sets.end())),
+    EXPECT_EQ((std::set<std::vector<Index>>(sets.begin(), sets.end())),
               close_by_definition(points, distance))
         << round;
   }
@@ -113,7 +113,7 @@ TEST(ClosePoints, AreThoseOfTheDefinition) {
 
 TEST(ClosePoints, TakesZerosOfBothSignsForOne) {
   EXPECT_EQ(close_points({{0.0, 1, 2}, {5, 5, 5}, {-0.0, 1, 2}}, {0, 1, 2}, 0),
-            (std::vector<std::vector<std::uint32_t>>{{0, 2}}));
+            (std::vector<std::vector<Index>>{{0, 2}}));
   EXPECT_TRUE(close_points({{0.0, 1, 2}, {-0.0, 1, 2}}, {1}, 0).empty());
 }
 

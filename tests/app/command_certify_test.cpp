@@ -27,11 +27,11 @@ class Certify : public CutTest {
     EXPECT_EQ(file.certificate().facet_count(), facets);
   }
 
-  std::vector<std::uint32_t> numbers_of(const std::string& name) const {
+  std::vector<Index> numbers_of(const std::string& name) const {
     const Mesh mesh = read_mesh(folder_ / name);
-    std::vector<std::uint32_t> numbers;
-    for (const std::uint32_t v : mesh.cells().vertices)
-      numbers.push_back(static_cast<std::uint32_t>(mesh.vertex_numbers[v]));
+    std::vector<Index> numbers;
+    for (const Index v : mesh.cells().vertices)
+      numbers.push_back(static_cast<Index>(mesh.vertex_numbers[v]));
     return numbers;
   }
 

@@ -62,7 +62,7 @@ TEST_F(Cut, OpensTheFacetBetweenTwoTetrahedra) {
   EXPECT_EQ(r["opened_facets"], json::parse(R"([{"facet":[1,2,3],"by":1}])"));
 
   const Mesh out = mesh("out.mesh");
-  EXPECT_EQ(out.cells().vertices, (std::vector<std::uint32_t>{0, 1, 2, 3, 5, 7, 6, 4}));
+  EXPECT_EQ(out.cells().vertices, (std::vector<Index>{0, 1, 2, 3, 5, 7, 6, 4}));
   const Group *minus = group(out, "cut_minus"), *plus = group(out, "cut_plus");
   ASSERT_TRUE(minus && plus);
   EXPECT_EQ(group(out, "cut_shut"), nullptr);
@@ -174,10 +174,10 @@ TEST_F(Cut, KeepsGroupsAndSidesOfAGmshFile) {
   const auto& triangles = out.elements[2];
   std::set<bool> below;
   for (const auto e : group(out, "fault_minus")->elements) {
-    std::set<std::uint32_t> facet(&triangles.vertices[3 * e], &triangles.vertices[3 * e] + 3);
+    std::set<Index> facet(&triangles.vertices[3 * e], &triangles.vertices[3 * e] + 3);
     for (std::size_t c = 0; c < out.cells().size(); ++c) {
-      const std::uint32_t* cell = &out.cells().vertices[4 * c];
-      std::uint32_t apex = UINT32_MAX;
+      const Index* cell = &out.cells().vertices[4 * c];
+      Index apex = UINT32_MAX;
       int common = 0;
       for (int i = 0; i < 4; ++i)
         if (facet.count(cell[i]) != 0)

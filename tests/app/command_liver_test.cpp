@@ -92,19 +92,19 @@ struct Facets {
 };
 
 Facets facets_of(const Mesh& mesh, const Group& group) {
-  std::map<std::set<std::uint32_t>, std::size_t> cells_at;
+  std::map<std::set<Index>, std::size_t> cells_at;
   for (std::size_t c = 0; c < mesh.cells().size(); ++c)
     for (std::size_t left_out = 0; left_out < 4; ++left_out) {
-      std::set<std::uint32_t> facet;
+      std::set<Index> facet;
       for (std::size_t i = 0; i < 4; ++i)
         if (i != left_out) facet.insert(mesh.cells().vertices[4 * c + i]);
       ++cells_at[facet];
     }
   Facets facets;
-  std::set<std::set<std::uint32_t>> distinct;
+  std::set<std::set<Index>> distinct;
   for (const auto e : group.elements) {
     const auto* vertices = &mesh.facets().vertices[3 * std::size_t{e}];
-    const std::set<std::uint32_t> facet(vertices, vertices + 3);
+    const std::set<Index> facet(vertices, vertices + 3);
     facets.sides += cells_at[facet];
     if (distinct.insert(facet).second) ++(cells_at[facet] == 2 ? facets.interior : facets.boundary);
   }

@@ -15,9 +15,9 @@ namespace cleave::app::test {
 namespace {
 
 using nlohmann::json;
-using Cell = std::array<std::uint32_t, 4>;
+using Cell = std::array<Index, 4>;
 
-constexpr std::uint32_t kNodes = 10;  // along an axis of the haystack: 4374 cells
+constexpr Index kNodes = 10;  // along an axis of the haystack: 4374 cells
 
 Mesh haystack() {
   Mesh mesh = kuhn_cube({{kNodes, kNodes, kNodes}, {9, 9, 9}});
@@ -25,14 +25,12 @@ Mesh haystack() {
   return mesh;
 }
 
-std::uint32_t node(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-  return x + kNodes * (y + kNodes * z);
-}
+Index node(Index x, Index y, Index z) { return x + kNodes * (y + kNodes * z); }
 
-std::uint32_t add_point(Mesh& mesh, double x, double y, double z) {
+Index add_point(Mesh& mesh, double x, double y, double z) {
   mesh.points.push_back({x, y, z});
   mesh.vertex_numbers.push_back(mesh.vertex_numbers.back() + 1);
-  return static_cast<std::uint32_t>(mesh.points.size() - 1);
+  return static_cast<Index>(mesh.points.size() - 1);
 }
 
 void add_cell(Mesh& mesh, const Cell& cell) {
@@ -49,7 +47,7 @@ Cell cell(const Mesh& mesh, std::size_t c) {
 
 // The mesh of a Medit text beside the haystack.
 void put_beside(Mesh& mesh, const Mesh& other) {
-  std::vector<std::uint32_t> at;
+  std::vector<Index> at;
   for (const auto& p : other.points) at.push_back(add_point(mesh, p[0] + 20, p[1], p[2]));
   for (std::size_t c = 0; c < other.cells().size(); ++c) {
     Cell tuple = cell(other, c);
@@ -60,8 +58,8 @@ void put_beside(Mesh& mesh, const Mesh& other) {
 
 // All cells but those of these small boxes.
 Mesh without_boxes(const Mesh& mesh, const std::set<std::array<int, 3>>& boxes) {
-  std::vector<std::uint32_t> rest;
-  for (std::uint32_t c = 0; c < mesh.cells().size(); ++c) {
+  std::vector<Index> rest;
+  for (Index c = 0; c < mesh.cells().size(); ++c) {
     std::array<int, 3> box{9, 9, 9};
     for (const auto v : cell(mesh, c))
       for (std::size_t i = 0; i < 3; ++i)
@@ -107,11 +105,11 @@ class Reduce : public CommandTest {
     EXPECT_TRUE(std::includes(allowed.begin(), allowed.end(), found.begin(), found.end()));
 
     const Mesh small = get("small.mesh");
-    std::vector<std::uint32_t> loose(small.points.size());
+    std::vector<Index> loose(small.points.size());
     std::iota(loose.begin(), loose.end(), 0U);
     for (const auto v : small.cells().vertices) std::erase(loose, v);
-    for (std::uint32_t gone = 0; small.cells().size() > 1 && gone < small.cells().size(); ++gone) {
-      std::vector<std::uint32_t> rest(small.cells().size());
+    for (Index gone = 0; small.cells().size() > 1 && gone < small.cells().size(); ++gone) {
+      std::vector<Index> rest(small.cells().size());
       std::iota(rest.begin(), rest.end(), 0U);
       rest.erase(rest.begin() + gone);
       const auto left = rules_of(sub_mesh(small, rest, loose).mesh);
@@ -215,14 +213,14 @@ TEST_F(Reduce, KeepsGroupsAsFarAsTheirElementsStay) {
   const Mesh small = get("s.msh"), whole = get("m.msh");
   ASSERT_EQ(small.groups.size(), 1u);
   EXPECT_EQ(small.groups[0].name, "needle");
-  EXPECT_EQ(small.groups[0].elements, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(small.groups[0].elements, std::vector<Index>{0});
   EXPECT_EQ(small.cells().numbers[0], whole.cells().numbers[2000]);  // .msh keeps numbers
 }
 
 // Facets of the plane x = 4, and one far from it whose vertices are all inside.
 json facets_of_a_cut(const Mesh& mesh) {
   json facets = json::array();
-  for (std::uint32_t c = 0; c < mesh.cells().size(); ++c)
+  for (Index c = 0; c < mesh.cells().size(); ++c)
     for (std::size_t without = 0; without < 4; ++without) {
       json facet = json::array();
       bool on_plane = true, alone = c == 1500 && without == 0;
@@ -252,8 +250,8 @@ TEST_F(Reduce, KeepsAFacetThatStaysShutAndShrinksTheRequest) {
   const Mesh small = get("s.mesh");
   EXPECT_LE(small.cells().size(), 40u);
   std::size_t needed = 0;
-  for (std::uint32_t gone = 0; gone < small.cells().size(); ++gone) {
-    std::vector<std::uint32_t> cells(small.cells().size());
+  for (Index gone = 0; gone < small.cells().size(); ++gone) {
+    std::vector<Index> cells(small.cells().size());
     std::iota(cells.begin(), cells.end(), 0U);
     cells.erase(cells.begin() + gone);
     const Mesh part = sub_mesh(small, cells).mesh;
@@ -274,17 +272,17 @@ TEST_F(Reduce, KeepsAFacetThatStaysShutAndShrinksTheRequest) {
 TEST_F(Reduce, KeepsAnEdgeThatACutPinches) {
   const Mesh mesh = haystack();
   put("m.mesh", mesh);
-  const auto box = [&](std::uint32_t c) {
+  const auto box = [&](Index c) {
     std::array<int, 3> least{9, 9, 9};
     for (const auto v : cell(mesh, c))
       for (std::size_t i = 0; i < 3; ++i)
         least[i] = std::min(least[i], static_cast<int>(mesh.points[v][i] + 0.5));
     return least == std::array{4, 4, 4} || least == std::array{5, 5, 4};
   };
-  std::map<std::set<std::uint32_t>, std::pair<int, int>> sides;  // how many in, how many out
-  for (std::uint32_t c = 0; c < mesh.cells().size(); ++c)
+  std::map<std::set<Index>, std::pair<int, int>> sides;  // how many in, how many out
+  for (Index c = 0; c < mesh.cells().size(); ++c)
     for (std::size_t without = 0; without < 4; ++without) {
-      std::set<std::uint32_t> facet;
+      std::set<Index> facet;
       for (std::size_t i = 0; i < 4; ++i)
         if (i != without) facet.insert(cell(mesh, c)[i] + 1);
       ++(box(c) ? sides[facet].first : sides[facet].second);

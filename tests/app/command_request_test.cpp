@@ -119,9 +119,8 @@ TEST_F(Request, RefuseToReachALevelThroughFacetsToBeKept) {
   Group group;
   group.dimension = 2;
   group.name = "seam";
-  group.elements = {static_cast<std::uint32_t>(mesh.facets().size())};
-  for (const json& number : wanted[0])
-    mesh.elements[2].vertices.push_back(number.get<std::uint32_t>() - 1);
+  group.elements = {static_cast<Index>(mesh.facets().size())};
+  for (const json& number : wanted[0]) mesh.elements[2].vertices.push_back(number.get<Index>() - 1);
   mesh.elements[2].numbers.push_back(100000);
   mesh.groups.push_back(group);
   write_mesh(folder_ / "seam.msh", mesh);

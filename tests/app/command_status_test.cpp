@@ -61,13 +61,12 @@ TEST_F(Reproducer, HoldsWhatIsNeededToDoTheCutAgain) {
   topology::CellSoup<2> again;
   again.vertex_count = r["vertex_count"];
   for (const json& cell : r["cells"])
-    again.cells.push_back({{{cell[0].get<std::uint32_t>()},
-                            {cell[1].get<std::uint32_t>()},
-                            {cell[2].get<std::uint32_t>()}}});
+    again.cells.push_back(
+        {{{cell[0].get<Index>()}, {cell[1].get<Index>()}, {cell[2].get<Index>()}}});
   again.signs = r["signs"].get<std::vector<std::int8_t>>();
   auto complex = topology::assemble(again);
   std::vector<topology::HalfFacetId> facets;
-  for (const json& h : r["cut"]) facets.push_back({h.get<std::uint32_t>()});
+  for (const json& h : r["cut"]) facets.push_back({h.get<Index>()});
   const auto change = topology::unglue(
       complex, topology::FacetSet::of(complex, std::span<const topology::HalfFacetId>(facets)));
   EXPECT_EQ(change.opened.size(), 1u);

@@ -32,10 +32,10 @@ const Group* find_group(const Mesh& mesh, int dimension, const std::string& name
   return nullptr;
 }
 
-std::vector<std::uint32_t> members(const Mesh& mesh, int dimension, const std::string& name) {
+std::vector<Index> members(const Mesh& mesh, int dimension, const std::string& name) {
   const Group* group = find_group(mesh, dimension, name);
   EXPECT_NE(group, nullptr) << name;
-  return group == nullptr ? std::vector<std::uint32_t>{} : group->elements;
+  return group == nullptr ? std::vector<Index>{} : group->elements;
 }
 
 TEST_F(Abaqus, ReadsElementsSetsAndSurfaces) {
@@ -43,20 +43,20 @@ TEST_F(Abaqus, ReadsElementsSetsAndSurfaces) {
   EXPECT_EQ(mesh.dimension, 3);
   EXPECT_EQ(mesh.vertex_numbers, (std::vector<std::uint64_t>{1, 2, 3, 4, 50}));
   EXPECT_EQ(mesh.points[1], (std::array<double, 3>{1, 0, 0}));
-  EXPECT_EQ(mesh.cells().vertices, (std::vector<std::uint32_t>{0, 1, 2, 3, 1, 2, 3, 4}));
+  EXPECT_EQ(mesh.cells().vertices, (std::vector<Index>{0, 1, 2, 3, 1, 2, 3, 4}));
   EXPECT_EQ(mesh.cells().numbers, (std::vector<std::uint64_t>{11, 12}));
   // S3 of element 11 is the S3 element 20; S2, on no element, becomes one, outward of element 11.
-  EXPECT_EQ(mesh.elements[2].vertices, (std::vector<std::uint32_t>{1, 2, 3, 3, 0, 1}));
+  EXPECT_EQ(mesh.elements[2].vertices, (std::vector<Index>{1, 2, 3, 3, 0, 1}));
   EXPECT_EQ(mesh.elements[2].numbers, (std::vector<std::uint64_t>{20, 21}));
-  EXPECT_EQ(members(mesh, 3, "Body"), (std::vector<std::uint32_t>{0, 1}));
-  EXPECT_EQ(members(mesh, 3, "7"), (std::vector<std::uint32_t>{1}));
+  EXPECT_EQ(members(mesh, 3, "Body"), (std::vector<Index>{0, 1}));
+  EXPECT_EQ(members(mesh, 3, "7"), (std::vector<Index>{1}));
   EXPECT_EQ(find_group(mesh, 3, "7")->tag, 7);
-  EXPECT_EQ(members(mesh, 2, "Fault"), (std::vector<std::uint32_t>{0, 1}));
-  EXPECT_EQ(mesh.elements[0].vertices, (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(members(mesh, 2, "Fault"), (std::vector<Index>{0, 1}));
+  EXPECT_EQ(mesh.elements[0].vertices, (std::vector<Index>{0, 1, 2, 3, 4}));
   EXPECT_EQ(members(mesh, 0, "ALL").size(), 5u);
-  EXPECT_EQ(members(mesh, 0, "ends"), (std::vector<std::uint32_t>{0, 4}));
-  EXPECT_EQ(members(mesh, 0, "Low ones"), (std::vector<std::uint32_t>{0, 2}));
-  EXPECT_EQ(members(mesh, 0, "both"), (std::vector<std::uint32_t>{0, 1, 4}));
+  EXPECT_EQ(members(mesh, 0, "ends"), (std::vector<Index>{0, 4}));
+  EXPECT_EQ(members(mesh, 0, "Low ones"), (std::vector<Index>{0, 2}));
+  EXPECT_EQ(members(mesh, 0, "both"), (std::vector<Index>{0, 1, 4}));
   EXPECT_EQ(mesh.groups.size(), 7u);
   ASSERT_EQ(mesh.dropped.size(), 1u);
   EXPECT_NE(mesh.dropped[0].find("4 keywords do not concern the mesh"), std::string::npos);
@@ -72,7 +72,7 @@ TEST_F(Abaqus, ReadsOnePartAndItsInstance) {
       "*Nset, nset=reference\n1,\n*Nset, nset=top, instance=P-1\n4,\n*End Assembly\n";
   const Mesh mesh = read_mesh(put("a.inp", part + assembly));
   EXPECT_EQ(mesh.points.size(), 4u);
-  EXPECT_EQ(members(mesh, 0, "top"), std::vector<std::uint32_t>{0});
+  EXPECT_EQ(members(mesh, 0, "top"), std::vector<Index>{0});
   EXPECT_EQ(find_group(mesh, 0, "reference"), nullptr);
   EXPECT_NE(mesh.dropped.at(0).find("*NODE, *NSET"), std::string::npos) << mesh.dropped.at(0);
   expect_reading_error(put("a.inp", part + part), {"a.inp:10:", "second *PART"});
@@ -151,9 +151,9 @@ TEST_F(Abaqus, NamesThatDifferInCaseOnlyAreQuoted) {
   mesh.groups = {{"Fault", 2, 1, {0}}, {"fault", 2, 2, {1}}, {"a, b", 3, 3, {0}}};
   write_mesh(path("a.inp"), mesh);
   const Mesh read = read_mesh(path("a.inp"));
-  EXPECT_EQ(members(read, 2, "Fault"), std::vector<std::uint32_t>{0});
-  EXPECT_EQ(members(read, 2, "fault"), std::vector<std::uint32_t>{1});
-  EXPECT_EQ(members(read, 3, "a, b"), std::vector<std::uint32_t>{0});
+  EXPECT_EQ(members(read, 2, "Fault"), std::vector<Index>{0});
+  EXPECT_EQ(members(read, 2, "fault"), std::vector<Index>{1});
+  EXPECT_EQ(members(read, 3, "a, b"), std::vector<Index>{0});
   mesh.groups[0].name = "a \"quoted\" name";
   EXPECT_THROW(write_mesh(path("b.inp"), mesh), OutputError);
 }

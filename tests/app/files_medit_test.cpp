@@ -26,15 +26,15 @@ TEST_F(Medit, ReadsElementsReferencesAndNumbers) {
   EXPECT_EQ(mesh.dimension, 3);
   EXPECT_EQ(mesh.points[3], (std::array<double, 3>{0, 0, 1}));
   EXPECT_EQ(mesh.vertex_numbers, (std::vector<std::uint64_t>{1, 2, 3, 4}));
-  EXPECT_EQ(mesh.cells().vertices, (std::vector<std::uint32_t>{0, 1, 2, 3}));
+  EXPECT_EQ(mesh.cells().vertices, (std::vector<Index>{0, 1, 2, 3}));
   EXPECT_EQ(mesh.cells().numbers, std::vector<std::uint64_t>{1});
-  EXPECT_EQ(mesh.elements[0].vertices, std::vector<std::uint32_t>{2});
+  EXPECT_EQ(mesh.elements[0].vertices, std::vector<Index>{2});
   EXPECT_EQ(mesh.elements[0].numbers, std::vector<std::uint64_t>{3});
   ASSERT_EQ(mesh.groups.size(), 2u);
   EXPECT_EQ(mesh.groups[0].name, "5");
   EXPECT_EQ(mesh.groups[0].dimension, 0);
   EXPECT_EQ(mesh.groups[1].name, "2");
-  EXPECT_EQ(mesh.groups[1].elements, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(mesh.groups[1].elements, std::vector<Index>{0});
 }
 
 TEST_F(Medit, AcceptsEveryWayTheFormatIsWritten) {

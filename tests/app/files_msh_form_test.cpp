@@ -194,8 +194,8 @@ TEST_F(MshForms, BothOrdersOfBytesAreRead) {
       const Mesh mesh = read_mesh(put("a.msh", content));
       EXPECT_EQ(mesh.vertex_numbers, (std::vector<std::uint64_t>{7, 9, 8}));
       EXPECT_EQ(mesh.points[2], (std::array<double, 3>{0, 0.1, 0}));
-      EXPECT_EQ(mesh.elements[1].vertices, (std::vector<std::uint32_t>{2, 1}));
-      EXPECT_EQ(mesh.elements[2].vertices, (std::vector<std::uint32_t>{0, 1, 2}));
+      EXPECT_EQ(mesh.elements[1].vertices, (std::vector<Index>{2, 1}));
+      EXPECT_EQ(mesh.elements[2].vertices, (std::vector<Index>{0, 1, 2}));
       EXPECT_EQ(mesh.elements[2].numbers, std::vector<std::uint64_t>{5});
       ASSERT_EQ(mesh.groups.size(), 2u);
       EXPECT_EQ(mesh.groups[0].tag, 4);

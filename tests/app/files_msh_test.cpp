@@ -31,14 +31,14 @@ std::string with(std::string text, const std::string& piece, const std::string& 
 void expect_the_mesh(const Mesh& mesh) {
   EXPECT_EQ(mesh.vertex_numbers, (std::vector<std::uint64_t>{1, 2, 3, 4, 8589934592}));
   EXPECT_EQ(mesh.points[4], (std::array<double, 3>{1, 1, 1}));
-  EXPECT_EQ(mesh.elements[0].vertices, std::vector<std::uint32_t>{0});
-  EXPECT_EQ(mesh.elements[2].vertices, (std::vector<std::uint32_t>{0, 1, 2}));
-  EXPECT_EQ(mesh.elements[3].vertices, (std::vector<std::uint32_t>{0, 1, 2, 3, 1, 2, 3, 4}));
+  EXPECT_EQ(mesh.elements[0].vertices, std::vector<Index>{0});
+  EXPECT_EQ(mesh.elements[2].vertices, (std::vector<Index>{0, 1, 2}));
+  EXPECT_EQ(mesh.elements[3].vertices, (std::vector<Index>{0, 1, 2, 3, 1, 2, 3, 4}));
   EXPECT_EQ(mesh.elements[3].numbers, (std::vector<std::uint64_t>{3, 4}));
   EXPECT_EQ(mesh.groups.front().name, "skin side");
-  EXPECT_EQ(mesh.groups.front().elements, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(mesh.groups.front().elements, std::vector<Index>{0});
   EXPECT_EQ(mesh.groups.back().name, "body");
-  EXPECT_EQ(mesh.groups.back().elements, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(mesh.groups.back().elements, (std::vector<Index>{0, 1}));
 }
 
 TEST_F(Msh, ReadsBothVersionsWithNodeNumbersAboveTwoToThe32) {
@@ -80,9 +80,9 @@ TEST_F(Msh, AnElementRepeatedPerGroupIsOneElement) {
   EXPECT_EQ(mesh.cells().numbers, (std::vector<std::uint64_t>{3, 4}));
   ASSERT_EQ(mesh.groups.size(), 3u);
   EXPECT_EQ(mesh.groups[1].name, "body");
-  EXPECT_EQ(mesh.groups[1].elements, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(mesh.groups[1].elements, (std::vector<Index>{0, 1}));
   EXPECT_EQ(mesh.groups[2].tag, 6);
-  EXPECT_EQ(mesh.groups[2].elements, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(mesh.groups[2].elements, std::vector<Index>{0});
 }
 
 TEST_F(Msh, GroupNumberZeroIsNoGroup) {

@@ -30,7 +30,7 @@ std::string dump(const Mesh& mesh) {
     std::vector<std::int32_t> tags(elements.size(), 0);
     for (const Group& group : mesh.groups)
       if (group.dimension == static_cast<int>(d))
-        for (const std::uint32_t e : group.elements) tags[e] = group.tag;
+        for (const Index e : group.elements) tags[e] = group.tag;
     for (std::size_t e = 0; e < elements.size(); ++e) {
       out << d;
       for (std::size_t k = 0; k <= d; ++k) out << ' ' << elements.vertices[(d + 1) * e + k];
@@ -70,7 +70,7 @@ std::vector<std::string> elements_of(const Mesh& mesh, bool numbers) {
       text << std::hexfloat;
       if (numbers) text << elements.numbers[e] << ':';
       for (std::size_t k = 0; k <= d; ++k) {
-        const std::uint32_t v = elements.vertices[(d + 1) * e + k];
+        const Index v = elements.vertices[(d + 1) * e + k];
         const auto& point = mesh.points[v];
         if (numbers) text << ' ' << mesh.vertex_numbers[v];
         text << " (" << point[0] << ' ' << point[1] << ' ' << point[2] << ')';
@@ -463,9 +463,9 @@ TEST_F(Oracle, WeReadTetgenAndAbaqusFilesOfMeshio) {
     EXPECT_EQ(abaqus.elements[d].vertices, mesh.elements[d].vertices);
   ASSERT_EQ(abaqus.groups.size(), 3u);
   EXPECT_EQ(abaqus.groups[0].name, "ends");
-  EXPECT_EQ(abaqus.elements[0].vertices, (std::vector<std::uint32_t>{0, 11}));
-  EXPECT_EQ(abaqus.groups[1].elements, (std::vector<std::uint32_t>{1, 3}));
-  EXPECT_EQ(abaqus.groups[2].elements, (std::vector<std::uint32_t>{0, 8}));
+  EXPECT_EQ(abaqus.elements[0].vertices, (std::vector<Index>{0, 11}));
+  EXPECT_EQ(abaqus.groups[1].elements, (std::vector<Index>{1, 3}));
+  EXPECT_EQ(abaqus.groups[2].elements, (std::vector<Index>{0, 8}));
 }
 
 TEST_F(Oracle, WeReadAbaqusFilesOfGmsh) {

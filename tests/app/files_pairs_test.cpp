@@ -98,10 +98,10 @@ void count_fields(Counts& counts, const std::string& lost, const std::vector<Fie
 }
 
 /// Elements of a group; of dimension 0, their vertices.
-std::vector<std::uint32_t> content(const Mesh& mesh, const Group& group) {
+std::vector<Index> content(const Mesh& mesh, const Group& group) {
   if (group.dimension > 0) return group.elements;
-  std::vector<std::uint32_t> vertices;
-  for (const std::uint32_t e : group.elements) vertices.push_back(mesh.elements[0].vertices[e]);
+  std::vector<Index> vertices;
+  for (const Index e : group.elements) vertices.push_back(mesh.elements[0].vertices[e]);
   return vertices;
 }
 

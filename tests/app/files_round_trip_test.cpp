@@ -172,8 +172,8 @@ TEST_F(RoundTrip, TagsThatCannotBeWrittenAreReplacedAndTheNameStays) {
     const Mesh read = read_mesh(path(write("a", kind, mesh)));
     ASSERT_EQ(read.groups.size(), 3u) << kind.name;
     for (const Group& group : read.groups) {
-      const std::uint32_t cell = group.name == "minus" ? 0 : group.name == "plus" ? 1 : 2;
-      EXPECT_EQ(group.elements, std::vector<std::uint32_t>{cell}) << kind.name << group.name;
+      const Index cell = group.name == "minus" ? 0 : group.name == "plus" ? 1 : 2;
+      EXPECT_EQ(group.elements, std::vector<Index>{cell}) << kind.name << group.name;
     }
   }
 }

@@ -96,16 +96,16 @@ Mesh grouped_mesh() {
 }
 
 Mesh second_order(Mesh mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+  std::map<std::pair<Index, Index>, Index> middles;
   for (std::size_t d = 1; d <= 3; ++d) {
     Elements& elements = mesh.elements[d];
     for (std::size_t e = 0; e < elements.size(); ++e) {
       for (std::size_t i = 0; i < d; ++i) {
         for (std::size_t k = i + 1; k <= d; ++k) {
-          const std::uint32_t from = elements.vertices[(d + 1) * e + i];
-          const std::uint32_t to = elements.vertices[(d + 1) * e + k];
-          const auto [known, is_new] = middles.try_emplace(
-              std::minmax(from, to), static_cast<std::uint32_t>(mesh.points.size()));
+          const Index from = elements.vertices[(d + 1) * e + i];
+          const Index to = elements.vertices[(d + 1) * e + k];
+          const auto [known, is_new] =
+              middles.try_emplace(std::minmax(from, to), static_cast<Index>(mesh.points.size()));
           if (is_new) {
             const auto a = mesh.points[from], b = mesh.points[to];
             const auto middle = [&](std::size_t x) {  // gmsh writes 16 digits
@@ -183,13 +183,13 @@ void expect_valid_places(const Mesh& mesh) {
   for (std::size_t d = 0; d <= 3; ++d) {
     const Elements& elements = mesh.elements[d];
     EXPECT_EQ(elements.vertices.size(), (d + 1) * elements.size());
-    for (const std::uint32_t v : elements.vertices) EXPECT_LT(v, mesh.points.size());
+    for (const Index v : elements.vertices) EXPECT_LT(v, mesh.points.size());
     if (elements.second_order()) {
       EXPECT_EQ(elements.midside.size(), d * (d + 1) / 2 * elements.size());
     }
-    for (const std::uint32_t v : elements.midside) EXPECT_LT(v, mesh.points.size());
+    for (const Index v : elements.midside) EXPECT_LT(v, mesh.points.size());
   }
-  for (const std::uint32_t v : mesh.cohesive.vertices) EXPECT_LT(v, mesh.points.size());
+  for (const Index v : mesh.cohesive.vertices) EXPECT_LT(v, mesh.points.size());
   for (const Periodicity& periodic : mesh.periodic)
     for (const auto& pair : periodic.pairs)
       EXPECT_LT(std::max(pair.vertex, pair.master), mesh.points.size());
@@ -197,7 +197,7 @@ void expect_valid_places(const Mesh& mesh) {
     ASSERT_GE(group.dimension, 0);
     ASSERT_LE(group.dimension, 3);
     const auto count = mesh.elements[static_cast<std::size_t>(group.dimension)].size();
-    for (const std::uint32_t e : group.elements) EXPECT_LT(e, count);
+    for (const Index e : group.elements) EXPECT_LT(e, count);
   }
 }
 

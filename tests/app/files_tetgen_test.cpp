@@ -40,10 +40,10 @@ TEST_F(Tetgen, ReadsAllFourFilesByEitherName) {
     EXPECT_EQ(mesh.dimension, 3);
     EXPECT_EQ(mesh.points[4], (std::array<double, 3>{1, 1, 1}));
     EXPECT_EQ(mesh.vertex_numbers, (std::vector<std::uint64_t>{1, 2, 3, 4, 5}));
-    EXPECT_EQ(mesh.cells().vertices, (std::vector<std::uint32_t>{0, 1, 2, 3, 1, 2, 3, 4}));
-    EXPECT_EQ(mesh.elements[2].vertices, (std::vector<std::uint32_t>{1, 2, 3, 0, 1, 2}));
-    EXPECT_EQ(mesh.elements[1].vertices, (std::vector<std::uint32_t>{0, 1}));
-    EXPECT_EQ(mesh.elements[0].vertices, (std::vector<std::uint32_t>{0, 2}));
+    EXPECT_EQ(mesh.cells().vertices, (std::vector<Index>{0, 1, 2, 3, 1, 2, 3, 4}));
+    EXPECT_EQ(mesh.elements[2].vertices, (std::vector<Index>{1, 2, 3, 0, 1, 2}));
+    EXPECT_EQ(mesh.elements[1].vertices, (std::vector<Index>{0, 1}));
+    EXPECT_EQ(mesh.elements[0].vertices, (std::vector<Index>{0, 2}));
     EXPECT_EQ(mesh.elements[0].numbers, (std::vector<std::uint64_t>{1, 3}));
     std::vector<std::string> groups;
     for (const Group& group : mesh.groups)
@@ -84,11 +84,11 @@ TEST_F(Tetgen, ReadsTrianglesOfSecondOrder) {
   const Mesh mesh = read_mesh(path("a.ele"));
   EXPECT_EQ(mesh.dimension, 2);
   EXPECT_TRUE(mesh.two_dimensional_points);
-  EXPECT_EQ(mesh.cells().vertices, (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(mesh.cells().vertices, (std::vector<Index>{0, 1, 2}));
   // Triangle lists the nodes opposite the corners: (1,2) (0,2) (0,1).
-  EXPECT_EQ(mesh.cells().midside, (std::vector<std::uint32_t>{5, 4, 3}));
+  EXPECT_EQ(mesh.cells().midside, (std::vector<Index>{5, 4, 3}));
   EXPECT_FALSE(mesh.facets().second_order());
-  EXPECT_EQ(mesh.groups.front().elements, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(mesh.groups.front().elements, std::vector<Index>{0});
 }
 
 TEST_F(Tetgen, NamesTheLineOfEveryDefect) {

@@ -45,7 +45,7 @@ const std::string kTetraVtk = vtk("CELLS 1 5\n4 0 1 2 3\n", "CELL_TYPES 1\n10\n"
 TEST_F(Vtk, ReadsPlainFiles) {
   for (const auto& file : {put("a.vtu", vtu("0 1 2 3", "4", "10")), put("a.vtk", kTetraVtk)}) {
     const Mesh mesh = read_mesh(file);
-    EXPECT_EQ(mesh.cells().vertices, (std::vector<std::uint32_t>{0, 1, 2, 3}));
+    EXPECT_EQ(mesh.cells().vertices, (std::vector<Index>{0, 1, 2, 3}));
     EXPECT_EQ(mesh.points[3], (std::array<double, 3>{0, 0, 1}));
     EXPECT_EQ(mesh.vertex_numbers, (std::vector<std::uint64_t>{0, 1, 2, 3}));
     EXPECT_TRUE(mesh.groups.empty());

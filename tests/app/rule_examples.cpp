@@ -7,7 +7,7 @@ namespace cleave::app::test {
 namespace {
 
 using Points = std::vector<std::array<double, 3>>;
-using Cells = std::vector<std::vector<std::uint32_t>>;  // vertices from 1 on
+using Cells = std::vector<std::vector<Index>>;  // vertices from 1 on
 
 Mesh mesh_of(const Points& points, const Cells& cells) {
   Mesh mesh;
@@ -17,27 +17,27 @@ Mesh mesh_of(const Points& points, const Cells& cells) {
   for (std::uint64_t v = 1; v <= points.size(); ++v) mesh.vertex_numbers.push_back(v);
   Elements& elements = mesh.elements[static_cast<std::size_t>(mesh.dimension)];
   for (const auto& cell : cells) {
-    for (const std::uint32_t v : cell) elements.vertices.push_back(v - 1);
+    for (const Index v : cell) elements.vertices.push_back(v - 1);
     elements.numbers.push_back(elements.numbers.size() + 1);
   }
   return mesh;
 }
 
 Mesh moebius_band() {
-  constexpr std::uint32_t kSections = 9;
+  constexpr Index kSections = 9;
   Points points;
   Cells cells;
-  for (std::uint32_t i = 0; i < kSections; ++i)
+  for (Index i = 0; i < kSections; ++i)
     for (const double side : {-0.4, 0.4}) {
       const double angle = 2 * M_PI * i / kSections;
       const double radius = 1.2 + side * std::cos(angle / 2);
       points.push_back(
           {radius * std::cos(angle), radius * std::sin(angle), side * std::sin(angle / 2)});
     }
-  for (std::uint32_t i = 0; i < kSections; ++i) {
-    const std::uint32_t a = 2 * i + 1, b = a + 1;
+  for (Index i = 0; i < kSections; ++i) {
+    const Index a = 2 * i + 1, b = a + 1;
     const bool last = i + 1 == kSections;  // there the two sides change places
-    const std::uint32_t c = last ? 2 : a + 2, d = last ? 1 : a + 3;
+    const Index c = last ? 2 : a + 2, d = last ? 1 : a + 3;
     cells.push_back({a, c, b});
     cells.push_back({c, d, b});
   }
@@ -52,8 +52,8 @@ Mesh cone_of_a_ring() {
       points.push_back({radius * std::cos(2 * M_PI * i / 3 + 0.4),
                         radius * std::sin(2 * M_PI * i / 3 + 0.4), 0});
   Cells cells;
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    const std::uint32_t a = 2 + i, b = 2 + (i + 1) % 3, c = a + 3, d = b + 3;
+  for (Index i = 0; i < 3; ++i) {
+    const Index a = 2 + i, b = 2 + (i + 1) % 3, c = a + 3, d = b + 3;
     cells.push_back({1, a, d, c});
     cells.push_back({1, a, b, d});
   }

@@ -113,7 +113,7 @@ class Picture {
 
  private:
   std::size_t corners() const { return static_cast<std::size_t>(mesh_.dimension) + 1; }
-  std::uint32_t place(std::size_t cell, std::size_t i) const {
+  Index place(std::size_t cell, std::size_t i) const {
     return mesh_.cells().vertices[corners() * cell + i];
   }
 
@@ -123,7 +123,7 @@ class Picture {
     return 1.0 / static_cast<double>(corners()) * sum;
   }
 
-  std::set<std::uint32_t> vertices_of(std::size_t cell) const {
+  std::set<Index> vertices_of(std::size_t cell) const {
     const auto* first = &mesh_.cells().vertices[corners() * cell];
     return {first, first + corners()};
   }

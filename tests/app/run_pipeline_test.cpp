@@ -284,7 +284,7 @@ TEST(RunRefuses, ACellWithTwoMaterials) {
                                   "s.json", "");
   Mesh mesh = kuhn_cube(std::get<CubeSpec>(scene.mesh));
   Group bone{"bone", 3, 1, {}}, cut{"cut", 3, 2, {17}};
-  for (std::uint32_t c = 0; c < mesh.cells().size(); ++c) bone.elements.push_back(c);
+  for (Index c = 0; c < mesh.cells().size(); ++c) bone.elements.push_back(c);
   mesh.groups = {bone, cut};
   try {
     materials_of(scene, mesh);

@@ -5,7 +5,7 @@
 namespace cleave::app::test {
 namespace {
 
-using Places = std::vector<std::uint32_t>;
+using Places = std::vector<Index>;
 
 Elements elements(Places vertices, std::vector<std::uint64_t> numbers) {
   Elements result;
@@ -20,7 +20,7 @@ Mesh strip() {
   Mesh mesh;
   mesh.source = "strip";
   mesh.dimension = 2;
-  for (std::uint32_t v = 0; v < 7; ++v) {
+  for (Index v = 0; v < 7; ++v) {
     mesh.points.push_back({1.0 * v, 1.0 * (v % 2), 0});
     mesh.vertex_numbers.push_back(10 * v);
   }
@@ -91,7 +91,7 @@ TEST(SubMesh, OfAllCellsIsTheMeshWithoutWhatIsLoose) {
 
 TEST(SubMesh, TakesNodesOfSecondOrderWithTheirCells) {
   Mesh mesh = strip();
-  for (std::uint32_t v = 7; v < 14; ++v) {
+  for (Index v = 7; v < 14; ++v) {
     mesh.points.push_back({1.0 * v, 0, 0});
     mesh.vertex_numbers.push_back(10 * v);
   }

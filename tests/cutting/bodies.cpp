@@ -49,7 +49,7 @@ double any_coordinate(const Body<D>& body, std::size_t axis, Rng& rng) {
 
 template <int D>
 Point<D> any_corner(const Body<D>& body, Rng& rng) {
-  const auto cell = topology::CellId{static_cast<std::uint32_t>(rng.below(body.k.cell_count()))};
+  const auto cell = topology::CellId{static_cast<topology::Index>(rng.below(body.k.cell_count()))};
   if (rng.chance(0.3)) return dual_point(body.k, body.points, cell);
   if (rng.chance(0.4)) return body.points[body.k.vertices(cell)[rng.below(D + 1)].value];
   Point<D> p;
@@ -97,7 +97,7 @@ template <int D>
 Body<D> kuhn(Nodes<D> nodes, double spacing) {
   const support::KuhnGrid<D> grid(nodes);
   std::vector<Point<D>> points(grid.vertex_count);
-  for (std::uint32_t v = 0; v < points.size(); ++v)
+  for (topology::Index v = 0; v < points.size(); ++v)
     for (std::size_t i = 0; i < nodes.size(); ++i)
       points[v][i] = spacing * grid.point(topology::VertexId{v})[i];
   Body<D> body = assembled<D>(grid, std::move(points));
@@ -144,7 +144,7 @@ Body<D> any_small(Rng& rng) {
 template <int D>
 std::vector<Point<D>> duals(const Body<D>& body) {
   std::vector<Point<D>> result;
-  for (std::uint32_t c = 0; c < body.k.cell_count(); ++c)
+  for (topology::Index c = 0; c < body.k.cell_count(); ++c)
     result.push_back(dual_point(body.k, body.points, topology::CellId{c}));
   return result;
 }

@@ -40,8 +40,8 @@ Complex<D> complex_of(std::vector<Cell<D>> cells, std::size_t vertex_count) {
 
 /// The vertices of the chosen facets that are on the outside, ascending.
 template <int D>
-std::vector<std::uint32_t> outer_vertices(const Complex<D>& k, const topology::FacetSet& chosen) {
-  std::vector<std::uint32_t> found;
+std::vector<topology::Index> outer_vertices(const Complex<D>& k, const topology::FacetSet& chosen) {
+  std::vector<topology::Index> found;
   for (const HalfFacetId h : chosen.half_facets())
     for (const VertexId v : k.facet(h))
       if (v.value >= 1 && v.value <= 4) found.push_back(v.value);
@@ -56,7 +56,7 @@ TEST(NearestVertexBranching, ThreeEdgesMeetInThePlane) {
   for (const auto& place : kPlaces) points.push_back({place[0], place[1]});
   const std::vector<std::array<Point<2>, 2>> line{{{{-20, 0}, {20, 0}}}};
   const auto chosen = Selector<2>(k, points, kNearest).select(line);
-  EXPECT_EQ(outer_vertices(k, chosen), (std::vector<std::uint32_t>{2, 3, 4}));
+  EXPECT_EQ(outer_vertices(k, chosen), (std::vector<topology::Index>{2, 3, 4}));
 }
 
 // The same seen along an edge: four tetrahedra around the edge 0-5, of which three facets are
@@ -72,7 +72,7 @@ TEST(NearestVertexBranching, ThreeTrianglesMeetInSpace) {
   points.push_back({0, 3, -2});
   const std::vector<std::array<Point<3>, 3>> plane{{{{-90, -90, 0}, {90, -90, 0}, {0, 90, 0}}}};
   const auto chosen = Selector<3>(k, points, kNearest).select(plane);
-  EXPECT_EQ(outer_vertices(k, chosen), (std::vector<std::uint32_t>{2, 3, 4}));
+  EXPECT_EQ(outer_vertices(k, chosen), (std::vector<topology::Index>{2, 3, 4}));
   Complex<3> cut = k;
   topology::unglue(cut, chosen, topology::Verify::all);
   EXPECT_EQ(topology::pieces(cut).count, 3u);

@@ -264,7 +264,7 @@ std::vector<HalfFacetId> nearest_vertex(std::span<const Cell<D>> cells, const Cl
 
   const std::vector<std::optional<HalfFacetId>> mates = support::mates_of<D>(cells);
   std::set<HalfFacetId> chosen;
-  for (std::uint32_t c = 0; c < cells.size(); ++c) {
+  for (topology::Index c = 0; c < cells.size(); ++c) {
     if (sets[c].size() != static_cast<std::size_t>(D)) continue;
     for (int i = 0; i <= D; ++i) {
       const HalfFacetId h = topology::half_facet<D>({c}, i);

@@ -158,7 +158,7 @@ struct Surroundings {
 template <int D>
 std::map<std::vector<VertexId>, Surroundings> ridges(const Body<D>& body) {
   std::map<std::vector<VertexId>, Surroundings> result;
-  for (std::uint32_t c = 0; c < body.k.cell_count(); ++c) {
+  for (topology::Index c = 0; c < body.k.cell_count(); ++c) {
     const topology::Cell<D>& cell = body.k.vertices(CellId{c});
     for (std::size_t i = 0; i < cell.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {

@@ -214,13 +214,13 @@ TEST(DualEdge, AStepThatComesBackSelectsNothing) {
 
 TEST(DualEdge, TheDualPointIsTheCentroidAndDoesNotOverflow) {
   const Body<2> plane = bodies::kuhn<2>({2, 2}, 3);
-  for (const std::uint32_t c : {0u, 1u}) {
+  for (const topology::Index c : {0u, 1u}) {
     const Point<2> p = dual_point(plane.k, plane.points, topology::CellId{c});
     EXPECT_EQ(std::max(p[0], p[1]), 2);
     EXPECT_EQ(std::min(p[0], p[1]), 1);
   }
   const Body<3> vast = bodies::kuhn<3>({2, 2, 2}, 1.5e308);
-  for (std::uint32_t c = 0; c < 6; ++c)
+  for (topology::Index c = 0; c < 6; ++c)
     for (const double x : dual_point(vast.k, vast.points, topology::CellId{c}))
       EXPECT_TRUE(std::isfinite(x));
 }

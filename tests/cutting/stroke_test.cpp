@@ -43,7 +43,7 @@ TEST(Stroke, ASawThatGoesThroughSeparatesInTwo) {
     EXPECT_EQ(topology::pieces(incision.complex()).count, 2u);
     // The last two of the 7 steps are behind the body; nearest_vertex waits for whole cells.
     EXPECT_EQ(result.changes.size(), options.rule == Rule::dual_edge ? 5u : 4u);
-    for (std::uint32_t v = 343; v < 392; ++v)
+    for (topology::Index v = 343; v < 392; ++v)
       EXPECT_EQ(body.points[v], body.points[incision.original({v}).value]);
   }
 }
@@ -148,7 +148,7 @@ TEST(Stroke, PointsFollowTheIncisionEvenWhenMemoryEnds) {
       },
       [&] {
         ASSERT_EQ(points.size(), incision.complex().vertex_count());
-        for (std::uint32_t v = 0; v < points.size(); ++v)
+        for (topology::Index v = 0; v < points.size(); ++v)
           ASSERT_EQ(points[v], body.points[incision.original({v}).value]);
         if (points.size() == body.points.size()) return;
         ++partly_cut;

@@ -81,7 +81,7 @@ void cells_choose_facets_of_the_other_label() {
   for (const topology::Cell<D>& cell : body.k.cells())
     label.push_back(far_side<D>(*plane, body.points, cell));
   std::size_t folds = 0;
-  for (std::uint32_t c = 0; c < body.k.cell_count(); ++c) {
+  for (topology::Index c = 0; c < body.k.cell_count(); ++c) {
     const topology::Cell<D>& cell = body.k.vertices(CellId{c});
     std::array<Point<D>, D + 1> places;
     for (std::size_t i = 0; i < places.size(); ++i) places[i] = body.points[cell[i].value];

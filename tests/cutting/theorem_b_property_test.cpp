@@ -139,7 +139,7 @@ std::optional<std::vector<HalfFacetId>> dual_loop(const topology::Complex<D>& k,
 template <int D>
 std::vector<std::vector<HalfFacetId>> dual_loops(const topology::Complex<D>& k) {
   std::vector<std::vector<HalfFacetId>> loops;
-  for (std::uint32_t c = 0; c < k.cell_count(); ++c)
+  for (topology::Index c = 0; c < k.cell_count(); ++c)
     for (int i = 0; i <= D; ++i)
       for (int other = 0; other < i; ++other) {
         const HalfFacetId first = topology::half_facet<D>(CellId{c}, i);

@@ -40,7 +40,7 @@ namespace {
 std::vector<Point> grid_points(const support::KuhnGrid<3>& grid, double amount, support::Rng& rng) {
   const int n = grid.nodes[0];
   std::vector<Point> points(grid.vertex_count);
-  for (std::uint32_t v = 0; v < grid.vertex_count; ++v) {
+  for (topology::Index v = 0; v < grid.vertex_count; ++v) {
     const auto place = grid.point({v});
     const bool is_inner =
         std::all_of(place.begin(), place.end(), [n](int x) { return x > 0 && x < n - 1; });
@@ -86,7 +86,7 @@ Body medit_body(const std::string& path) {
   while (file >> word && word != "Tetrahedra") {
   }
   file >> count;
-  for (std::array<std::uint32_t, 4> v{};
+  for (std::array<topology::Index, 4> v{};
        cells.size() < count && file >> v[0] >> v[1] >> v[2] >> v[3] >> label;) {
     cells.push_back({VertexId{v[0] - 1}, {v[1] - 1}, {v[2] - 1}, {v[3] - 1}});
     labels.push_back(label);
@@ -106,7 +106,7 @@ Point centroid(const Body& body, CellId cell) {
 
 Materials layered(const Body& body, int layers, const Lame& even, const Lame& odd) {
   Materials materials{{even, odd}, {}};
-  for (std::uint32_t c = 0; c < body.k.cell_count(); ++c)
+  for (topology::Index c = 0; c < body.k.cell_count(); ++c)
     materials.of_cell.push_back(static_cast<int>(centroid(body, {c})[2] * layers) % 2);
   return materials;
 }
@@ -123,7 +123,7 @@ Scene under_its_weight(Body body) {
 
 FacetSet facets_between(const Body& body, const std::function<bool(const Point&)>& chosen) {
   std::vector<HalfFacetId> facets;
-  for (std::uint32_t h = 0; h < body.k.half_facet_count(); ++h) {
+  for (topology::Index h = 0; h < body.k.half_facet_count(); ++h) {
     const auto mate = body.k.mate({h});
     if (!mate || mate->value < h) continue;
     if (chosen(centroid(body, topology::cell_of<3>({h}))) !=
@@ -151,7 +151,7 @@ topology::Relabelling cut(Body& body, const FacetSet& facets) {
 std::vector<VertexId> vertices_where(const Body& body,
                                      const std::function<bool(const Point&)>& chosen) {
   std::vector<VertexId> vertices;
-  for (std::uint32_t v = 0; v < body.points.size(); ++v)
+  for (topology::Index v = 0; v < body.points.size(); ++v)
     if (body.k.a_corner({v}) && chosen(body.points[v])) vertices.push_back({v});
   return vertices;
 }

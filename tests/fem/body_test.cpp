@@ -66,7 +66,7 @@ TEST(CheckBody, AWholePieceMayBeMirrored) {
   const auto upper = [](const Point& p) { return p[2] > 0.5; };
   cut(body, facets_between(body, upper));
   std::vector<bool> is_upper(body.points.size(), false);
-  for (std::uint32_t c = 0; c < body.k.cell_count(); ++c)
+  for (topology::Index c = 0; c < body.k.cell_count(); ++c)
     for (const VertexId v : body.k.vertices({c}))
       if (upper(centroid(body, {c}))) is_upper[v.value] = true;
   for (std::size_t v = 0; v < body.points.size(); ++v)
@@ -112,7 +112,7 @@ TEST(CheckMaterials, NamesBadEntriesAndUnknownOnes) {
 TEST(Volumes, OfTheCubeAddUp) {
   const Body body = distorted_cube(5, 0.2);
   double total = 0.0;
-  for (std::uint32_t c = 0; c < body.k.cell_count(); ++c)
+  for (topology::Index c = 0; c < body.k.cell_count(); ++c)
     total += cell_volume(body.k, body.points, {c});
   EXPECT_NEAR(total, 1.0, 1e-13);
   double stars = 0.0;

@@ -27,7 +27,7 @@ RC_GTEST_PROP(ElasticOperatorAfterCutsProperty, EqualsANewOneBitForBit, (std::ui
     followed.update(body.k, change);
     const ElasticOperator fresh(body.k, body.points, materials);
     RC_ASSERT(followed.vertex_count() == fresh.vertex_count());
-    for (std::uint32_t v = 0; v < body.k.vertex_count(); ++v)
+    for (topology::Index v = 0; v < body.k.vertex_count(); ++v)
       RC_ASSERT(followed.diagonal_block({v}) == fresh.diagonal_block({v}));
     const Eigen::VectorXd u = random_vector(fresh.size(), rng);
     Eigen::VectorXd one, other;
@@ -44,8 +44,8 @@ RC_GTEST_PROP(ElasticOperatorAfterCutsProperty, HasABlockPerPiece, (std::uint64_
   Body body = random_body(rng);
   cut(body, random_cut(body.k, rng));
   const auto pieces = topology::pieces(body.k);
-  std::vector<std::uint32_t> piece_of(body.k.vertex_count());
-  for (std::uint32_t c = 0; c < body.k.cell_count(); ++c)
+  std::vector<topology::Index> piece_of(body.k.vertex_count());
+  for (topology::Index c = 0; c < body.k.cell_count(); ++c)
     for (const VertexId v : body.k.vertices({c})) piece_of[v.value] = pieces.of_cell[c];
   using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
   const Matrix matrix = assemble_stiffness(uniform_operator(body, {1.0, 1.0}));
@@ -75,7 +75,7 @@ TEST(ElasticOperatorAfterCuts, FollowsMerges) {
   followed.apply(u, one);
   fresh.apply(u, other);
   EXPECT_EQ(one, other);
-  for (std::uint32_t v = 0; v < before.k.vertex_count(); ++v)
+  for (topology::Index v = 0; v < before.k.vertex_count(); ++v)
     EXPECT_EQ(followed.diagonal_block({v}), fresh.diagonal_block({v}));
 }
 
@@ -130,7 +130,7 @@ TEST(LoadsAfterCuts, GravityAndTractionsNeedNothing) {
   Loads loads;
   loads.gravity = {0.0, 0.0, -9.81};
   loads.density.assign(body.k.cell_count(), 1000.0);
-  for (std::uint32_t h = 0; h < body.k.half_facet_count(); ++h)
+  for (topology::Index h = 0; h < body.k.half_facet_count(); ++h)
     if (!body.k.is_interior({h})) loads.tractions.push_back({{h}, {1.0, 2.0, 3.0}});
   const Eigen::VectorXd before = force_vector(body.k, body.points, loads);
   const auto change =

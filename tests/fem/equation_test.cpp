@@ -167,7 +167,7 @@ RC_GTEST_PROP(ElasticOperatorProperty, GivesNoForceForRigidModes, (std::uint64_t
 RC_GTEST_PROP(ElasticOperatorProperty, DiagonalBlocksAreThoseOfTheMatrix, (std::uint64_t seed)) {
   RandomCase random(seed);
   const Eigen::MatrixXd matrix = assemble_stiffness(*random.k_operator);
-  for (std::uint32_t v = 0; v < random.body.k.vertex_count(); ++v) {
+  for (topology::Index v = 0; v < random.body.k.vertex_count(); ++v) {
     const Eigen::Matrix3d block = matrix.block<3, 3>(3 * v, 3 * v);
     RC_ASSERT((random.k_operator->diagonal_block({v}) - block).norm() <= 1e-14 * block.norm());
   }

@@ -24,7 +24,7 @@ TEST(Loads, TractionOnAFaceOfTheCubeIsAreaTimesTraction) {
   EXPECT_EQ(loads.tractions.size(), 18u);
   const Eigen::VectorXd f = force_vector(body.k, body.points, loads);
   EXPECT_LT((sum_of(f) - Eigen::Vector3d(3.0, -1.0, 7.0)).norm(), 1e-14 * 10);
-  for (std::uint32_t v = 0; v < body.points.size(); ++v) {
+  for (topology::Index v = 0; v < body.points.size(); ++v) {
     if (body.points[v][2] != 1.0) {
       EXPECT_EQ(Eigen::Vector3d(f.segment<3>(3 * v)), Eigen::Vector3d::Zero().eval());
     }
@@ -46,7 +46,7 @@ TEST(Loads, GravityIsDensityTimesVolumeTimesAcceleration) {
   Loads loads;
   loads.gravity = {0.0, 1.0, -9.81};
   double mass = 0.0;
-  for (std::uint32_t c = 0; c < body.k.cell_count(); ++c) {
+  for (topology::Index c = 0; c < body.k.cell_count(); ++c) {
     loads.density.push_back(900.0 + c);
     mass += loads.density.back() * cell_volume(body.k, body.points, {c});
   }
@@ -92,7 +92,7 @@ TEST(Loads, NameWhatTheyCannotLoad) {
   EXPECT_THROW(share_force(body.k, body.points, {}, {1.0, 0.0, 0.0}), std::invalid_argument);
 
   Loads inside;
-  std::uint32_t interior = 0;
+  topology::Index interior = 0;
   while (!body.k.is_interior({interior})) ++interior;
   inside.tractions = {{HalfFacetId{interior}, {1.0, 0.0, 0.0}}};
   EXPECT_THROW(force_on(inside), std::invalid_argument);

@@ -64,8 +64,8 @@ class Subdivision {
 
   /// The vertex where the plane meets an edge.
   VertexId meet(VertexId a, VertexId b) {
-    const auto [at, is_new] =
-        meets_.try_emplace(std::minmax(a, b), VertexId{static_cast<std::uint32_t>(points_.size())});
+    const auto [at, is_new] = meets_.try_emplace(
+        std::minmax(a, b), VertexId{static_cast<topology::Index>(points_.size())});
     if (is_new) {
       const double share = height_[a.value] / (height_[a.value] - height_[b.value]);
       Point p{};
@@ -113,13 +113,13 @@ double volume(const Body& body, CellId cell) {
 
 double volume(const Body& body) {
   double sum = 0.0;
-  for (std::uint32_t c = 0; c < body.k.cell_count(); ++c) sum += volume(body, {c});
+  for (topology::Index c = 0; c < body.k.cell_count(); ++c) sum += volume(body, {c});
   return sum;
 }
 
 double least_volume(const Body& body) {
   double least = 1.0;
-  for (std::uint32_t c = 0; c < body.k.cell_count(); ++c)
+  for (topology::Index c = 0; c < body.k.cell_count(); ++c)
     least = std::min(least, volume(body, {c}));
   return least;
 }
@@ -128,7 +128,7 @@ double least_volume(const Body& body) {
 double condition_number(const Body& body) {
   const auto held = vertices_where(body, [](const Point& p) { return p[2] == 0.0; });
   std::vector<Eigen::Index> free;
-  for (std::uint32_t v = 0; v < body.points.size(); ++v)
+  for (topology::Index v = 0; v < body.points.size(); ++v)
     if (!std::binary_search(held.begin(), held.end(), VertexId{v}))
       for (Eigen::Index i = 0; i < 3; ++i) free.push_back(3 * Eigen::Index{v} + i);
   const Eigen::MatrixXd k =
@@ -145,7 +145,7 @@ TEST(OtherWaysToCut, RemovalLosesMassAndSubdivisionGrowsTheMeshAndTheConditionNu
     const double whole_condition = condition_number(whole);
 
     double lost = 0.0;
-    for (std::uint32_t c = 0; c < whole.k.cell_count(); ++c) {
+    for (topology::Index c = 0; c < whole.k.cell_count(); ++c) {
       const auto [one, other] = sides(whole.k.vertices({c}), height);
       if (!one.empty() && !other.empty()) lost += volume(whole, {c});
     }

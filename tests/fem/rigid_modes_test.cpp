@@ -39,7 +39,7 @@ TEST(FreeRigidModes, OfABodyHeldAtFewVertices) {
 TEST(FreeRigidModes, OfSingleCoordinates) {
   const Body body = cube(3);
   Dirichlet supports;  // rollers on three faces: nothing moves
-  for (std::uint32_t v = 0; v < body.points.size(); ++v)
+  for (topology::Index v = 0; v < body.points.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (body.points[v][axis] == 0.0) supports.prescribe({v}, static_cast<int>(axis), 0.0);
   EXPECT_TRUE(analyse(body, supports).empty());

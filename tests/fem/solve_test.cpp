@@ -75,7 +75,7 @@ struct Manufactured {
 /// The integral of a body force against the hat functions, the force being linear on each cell.
 Eigen::VectorXd consistent_load(const Body& body, Eigen::Vector3d (*density)(const Point&)) {
   Eigen::VectorXd f = no_force(body);
-  for (std::uint32_t c = 0; c < body.k.cell_count(); ++c) {
+  for (topology::Index c = 0; c < body.k.cell_count(); ++c) {
     const double share = cell_volume(body.k, body.points, {c}) / 20.0;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const VertexId v : body.k.vertices({c})) sum += density(body.points[v.value]);
@@ -89,7 +89,7 @@ Eigen::VectorXd consistent_load(const Body& body, Eigen::Vector3d (*density)(con
 double l2_error(const Body& body, const Eigen::VectorXd& u) {
   constexpr double kNear = 0.5854101966249685, kFar = 0.1381966011250105;
   double squared = 0.0;
-  for (std::uint32_t c = 0; c < body.k.cell_count(); ++c) {
+  for (topology::Index c = 0; c < body.k.cell_count(); ++c) {
     const auto& cell = body.k.vertices({c});
     const double weight = cell_volume(body.k, body.points, {c}) / 4.0;
     for (std::size_t near = 0; near < 4; ++near) {
@@ -223,7 +223,7 @@ TEST(Solve, SolvesModuloFreeModesAndReportsTheLoadRemoved) {
   ASSERT_EQ(result.findings.size(), 1u);
   const PieceFinding& finding = result.findings[0];
   double volume = 0.0;
-  for (std::uint32_t c = 0; c < scene.body.k.cell_count(); ++c)
+  for (topology::Index c = 0; c < scene.body.k.cell_count(); ++c)
     if (centroid(scene.body, {c})[2] > 0.5)
       volume += cell_volume(scene.body.k, scene.body.points, {c});
   const Eigen::Vector3d weight = volume * scene.loads.gravity;

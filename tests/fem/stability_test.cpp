@@ -54,7 +54,7 @@ TEST(Stability, StiffLayersAMillionTimesSofterOnesAreSolved) {
 TEST(Stability, AStiffInclusionAMillionTimesItsSurroundingsIsSolved) {
   const Scene scene = under_its_weight(distorted_cube(7, 0.2));
   Materials materials{{lame_of(1.0, 0.3), lame_of(1e6, 0.3)}, {}};
-  for (std::uint32_t c = 0; c < scene.body.k.cell_count(); ++c) {
+  for (topology::Index c = 0; c < scene.body.k.cell_count(); ++c) {
     const Point p = centroid(scene.body, {c});
     const double squared =
         (p[0] - 0.5) * (p[0] - 0.5) + (p[1] - 0.5) * (p[1] - 0.5) + (p[2] - 0.5) * (p[2] - 0.5);
@@ -85,7 +85,7 @@ Body with_sliver(int n, double degrees) {
   if (normal.dot(x[0] - x[1]) < 0.0) normal = -normal;
   const double height = radius * std::tan(degrees * kPi / 180.0);
   const Eigen::Vector3d apex = incentre + height * normal;
-  const VertexId added{static_cast<std::uint32_t>(points.size())};
+  const VertexId added{static_cast<topology::Index>(points.size())};
   points.push_back({apex[0], apex[1], apex[2]});
   cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(pierced));
   for (std::size_t i = 0; i < 4; ++i) {
@@ -116,7 +116,7 @@ TEST(Stability, ASliverOfATenthOfADegreeIsSolved) {
   const Scene scene = under_its_weight(with_sliver(5, 0.1));
   const auto k_operator = uniform_operator(scene.body, lame_of(1.0, 0.3));
   double least = 180.0;
-  for (std::uint32_t c = 0; c < scene.body.k.cell_count(); ++c)
+  for (topology::Index c = 0; c < scene.body.k.cell_count(); ++c)
     least = std::min(least, least_dihedral_angle(scene.body, {c}));
   EXPECT_NEAR(least, 0.1, 1e-9);
   expect_solved(scene, k_operator, 110);

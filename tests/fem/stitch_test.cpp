@@ -54,7 +54,7 @@ Eigen::VectorXd textbook_force(const Complex<3>& k, const std::vector<Point>& po
   c.diagonal() << 2 * kMaterial.mu + kMaterial.lambda, 2 * kMaterial.mu + kMaterial.lambda,
       2 * kMaterial.mu + kMaterial.lambda, kMaterial.mu, kMaterial.mu, kMaterial.mu;
   std::vector<Eigen::Triplet<double>> entries;
-  for (std::uint32_t cell = 0; cell < k.cell_count(); ++cell) {
+  for (topology::Index cell = 0; cell < k.cell_count(); ++cell) {
     Eigen::Matrix4d corners;  // rows (1, x, y, z)
     for (int i = 0; i < 4; ++i) {
       const Point& p = points[k.vertices({cell})[static_cast<std::size_t>(i)].value];
@@ -98,7 +98,7 @@ RC_GTEST_PROP(ElasticOperatorAfterStitchesProperty, EqualsANewOneAndTheTextbook,
     shut = shut || !change.shut.empty();
     const ElasticOperator fresh(wound.k(), wound.points, materials);
     RC_ASSERT(followed.vertex_count() == fresh.vertex_count());
-    for (std::uint32_t v = 0; v < wound.k().vertex_count(); ++v)
+    for (topology::Index v = 0; v < wound.k().vertex_count(); ++v)
       RC_ASSERT(followed.diagonal_block({v}) == fresh.diagonal_block({v}));
     const Eigen::VectorXd u = random_vector(fresh.size(), rng);
     Eigen::VectorXd one, other;
@@ -149,7 +149,7 @@ RC_GTEST_PROP(DisplacementsAfterStitchesProperty, KeepTheirMean, (std::uint64_t 
   const Eigen::VectorXd at_first = u;
   const auto there = wound.cut(random_cut(body.k, rng));
   carry_over(u, wound.k(), wound.points, there);
-  for (std::uint32_t c = 0; c < body.k.half_facet_count(); ++c)
+  for (topology::Index c = 0; c < body.k.half_facet_count(); ++c)
     RC_ASSERT(u.segment<3>(3 * wound.k().vertex({c}).value) ==
               at_first.segment<3>(3 * body.k.vertex({c}).value));
 
@@ -166,7 +166,7 @@ RC_GTEST_PROP(DisplacementsAfterStitchesProperty, KeepTheirMean, (std::uint64_t 
   const auto moment = [&] {
     const auto volumes = star_volumes(wound.k(), wound.points);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::uint32_t v = 0; v < volumes.size(); ++v) sum += volumes[v] * u.segment<3>(3 * v);
+    for (topology::Index v = 0; v < volumes.size(); ++v) sum += volumes[v] * u.segment<3>(3 * v);
     return sum;
   };
   const auto volumes = star_volumes(wound.k(), wound.points);
@@ -199,7 +199,7 @@ class HeldWound : public ::testing::Test {
  protected:
   HeldWound() {
     wound_.cut(wall_);
-    for (std::uint32_t v = 0; v < wound_.k().vertex_count(); ++v)
+    for (topology::Index v = 0; v < wound_.k().vertex_count(); ++v)
       if (wound_.points[v][0] == 0.5 && wound_.points[v][2] == 0.0) held_.push_back({v});
   }
 
@@ -272,7 +272,7 @@ TEST_F(HeldWound, TheSolutionAfterAStitchIsThatOfABodyNeverCutThere) {
     return result.displacement;
   };
   const Eigen::VectorXd u = solved(wound_), expected = solved(fresh);
-  for (std::uint32_t c = 0; c < body_.k.half_facet_count(); ++c)
+  for (topology::Index c = 0; c < body_.k.half_facet_count(); ++c)
     EXPECT_LT((u.segment<3>(3 * wound_.k().vertex({c}).value) -
                expected.segment<3>(3 * fresh.k().vertex({c}).value))
                   .norm(),

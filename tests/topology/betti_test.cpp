@@ -133,8 +133,7 @@ TYPED_TEST(BettiOf, AnythingAFileMayHold) {
     for (int c = 0; c < 4 + round % 20; ++c) {
       Cell<D> cell;
       for (VertexId& v : cell)
-        v.value =
-            static_cast<std::uint32_t>(rng.below(static_cast<std::uint32_t>(mesh.vertex_count)));
+        v.value = static_cast<Index>(rng.below(static_cast<Index>(mesh.vertex_count)));
       mesh.cells.push_back(cell);
     }
     const Betti<D> found = betti(mesh);
@@ -152,14 +151,14 @@ TYPED_TEST(BettiOf, AnythingAFileMayHold) {
 
 /// An n x n torus of squares cut in two, the last column joined to the first upside down if
 /// `flipped`.
-support::Mesh<2> squares(std::uint32_t n, bool flipped) {
+support::Mesh<2> squares(Index n, bool flipped) {
   support::Mesh<2> mesh{{}, n * n};
-  const auto at = [&](std::uint32_t column, std::uint32_t row) {
+  const auto at = [&](Index column, Index row) {
     row %= n;
     return VertexId{column < n ? column * n + row : flipped ? (n - row) % n : row};
   };
-  for (std::uint32_t c = 0; c < n; ++c)
-    for (std::uint32_t r = 0; r < n; ++r) {
+  for (Index c = 0; c < n; ++c)
+    for (Index r = 0; r < n; ++r) {
       mesh.cells.push_back({at(c, r), at(c + 1, r), at(c + 1, r + 1)});
       mesh.cells.push_back({at(c, r), at(c, r + 1), at(c + 1, r + 1)});
     }
@@ -202,10 +201,10 @@ TEST(Betti, OfSpheresThatTouchInAVertex) {
 /// A disc whose rim of nine edges is glued along 0 1 2 0, 0 1 2 0 and backwards 0 2 1 0: nothing of
 /// it can be collapsed, and yet it has the homology of a point.
 support::Mesh<2> dunce_hat() {
-  const std::array<std::uint32_t, 9> rim = {0, 1, 2, 0, 1, 2, 0, 2, 1};
+  const std::array<Index, 9> rim = {0, 1, 2, 0, 1, 2, 0, 2, 1};
   support::Mesh<2> mesh{{}, 13};
-  for (std::uint32_t i = 0; i < 9; ++i) {
-    const std::uint32_t j = (i + 1) % 9;
+  for (Index i = 0; i < 9; ++i) {
+    const Index j = (i + 1) % 9;
     const VertexId a{rim[i]}, b{rim[j]}, c{3 + i}, d{3 + j};
     mesh.cells.insert(mesh.cells.end(), {Cell<2>{a, b, c}, {b, c, d}, {c, d, VertexId{12}}});
   }

@@ -37,7 +37,7 @@ void expect_sphere_around_cube(int nodes, std::size_t cells) {
   EXPECT_EQ(sphere.complex.cell_count(), cells);
   EXPECT_EQ(sphere.half_facets, boundary(k));
   EXPECT_TRUE(boundary(sphere.complex).empty()) << "T10";
-  for (std::uint32_t c = 0; c < cells; ++c) {
+  for (Index c = 0; c < cells; ++c) {
     const HalfFacetId h = sphere.half_facets[c];
     Facet<D> in_the_whole{};
     for (std::size_t i = 0; i < in_the_whole.size(); ++i)

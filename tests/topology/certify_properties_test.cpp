@@ -26,12 +26,12 @@ TYPED_TEST(Certify, AcceptsEveryResultUnderEveryNaming) {
     Rng rng = trial.rng();
     // Half-facets of the boundary may be named, and mean nothing.
     std::vector<HalfFacetId> asked = trial.cut;
-    for (std::uint32_t h = 0; h < cut.before.half_facet_count(); ++h)
+    for (Index h = 0; h < cut.before.half_facet_count(); ++h)
       if (!cut.before.is_interior({h}) && rng.chance(0.1)) asked.push_back({h});
     Cells<D> after = cells_of(cut.after);
     RC_ASSERT(!certify<D>(cut.before.cells(), asked, after));
-    std::vector<std::uint32_t> names(cut.after.vertex_count());
-    for (std::uint32_t v = 0; v < names.size(); ++v) names[v] = 3 * v + 1;
+    std::vector<Index> names(cut.after.vertex_count());
+    for (Index v = 0; v < names.size(); ++v) names[v] = 3 * v + 1;
     rng.shuffle(names);
     for (Cell<D>& cell : after)
       for (VertexId& v : cell) v = {names[v.value]};
@@ -46,12 +46,12 @@ enum class Mutation { wrong_vertex, lost_split, extra_split, swapped_cells, othe
 /// to.
 template <int D>
 void mutate(Cells<D>& cells, Mutation mutation, const Cut<D>& cut, Rng& rng) {
-  const auto count = static_cast<std::uint32_t>(cut.after.vertex_count());
+  const auto count = static_cast<Index>(cut.after.vertex_count());
   const std::size_t at = rng.below(cells.size());
   const std::size_t i = rng.below(static_cast<std::size_t>(D) + 1);
   switch (mutation) {
     case Mutation::wrong_vertex:
-      cells[at][i] = {static_cast<std::uint32_t>(rng.below(count))};
+      cells[at][i] = {static_cast<Index>(rng.below(count))};
       break;
     case Mutation::lost_split:
       if (!cut.change.splits.empty()) {

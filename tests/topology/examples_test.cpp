@@ -44,17 +44,17 @@ std::size_t copies_of(const Relabelling& change, VertexId vertex) {
 // Six triangles around vertex 0; the ring is 1 .. 6.
 Complex<2> fan() {
   std::vector<Cell<2>> cells;
-  for (std::uint32_t i = 1; i <= 6; ++i) cells.push_back({VertexId{0}, {i}, {i % 6 + 1}});
+  for (Index i = 1; i <= 6; ++i) cells.push_back({VertexId{0}, {i}, {i % 6 + 1}});
   return complex_of<2>(cells, 7);
 }
 
 TEST(Figure6, AsManyCopiesAsComponents) {
-  const std::vector<std::vector<std::uint32_t>> spokes{{}, {1}, {1, 4}, {1, 3, 5}};
+  const std::vector<std::vector<Index>> spokes{{}, {1}, {1, 4}, {1, 3, 5}};
   const std::array<std::size_t, 4> components{1, 1, 2, 3};
   for (std::size_t i = 0; i < spokes.size(); ++i) {
     Complex<2> k = fan();
     std::vector<Facet<2>> cut;
-    for (const std::uint32_t ring : spokes[i]) cut.push_back({VertexId{0}, VertexId{ring}});
+    for (const Index ring : spokes[i]) cut.push_back({VertexId{0}, VertexId{ring}});
     const Relabelling change = unglue(k, facets<2>(k, cut), Verify::all);
     EXPECT_EQ(copies_of(change, {0}), components[i]);
     EXPECT_EQ(change.opened.size(), cut.size());  // the ring's vertex lies on the boundary
@@ -167,9 +167,9 @@ TEST(Strip, TwoEdgesOpenTogether) {
 // to the tip 7.
 TEST(TheoremC, TheSuspendedTorusStaysShut) {
   std::vector<Cell<3>> cells;
-  for (const std::uint32_t tip : {7U, 8U})
-    for (std::uint32_t i = 0; i < 7; ++i)
-      for (const std::uint32_t step : {1U, 2U})
+  for (const Index tip : {7U, 8U})
+    for (Index i = 0; i < 7; ++i)
+      for (const Index step : {1U, 2U})
         cells.push_back({VertexId{i}, {(i + step) % 7}, {(i + 3) % 7}, {tip}});
   Complex<3> k = complex_of<3>(cells, 9);
   EXPECT_EQ(k.cell_count(), 28U);
@@ -197,7 +197,7 @@ class KuhnCube : public ::testing::Test {
   /// Vertices that the cut along all interior facets within one of `places` adds.
   std::size_t new_vertices(std::initializer_list<Place> places) {
     std::vector<HalfFacetId> asked;
-    for (std::uint32_t h = 0; h < cube_.half_facet_count(); ++h)
+    for (Index h = 0; h < cube_.half_facet_count(); ++h)
       if (cube_.is_interior({h}) && std::any_of(places.begin(), places.end(),
                                                 [&](const Place& p) { return lies_in({h}, p); }))
         asked.push_back({h});

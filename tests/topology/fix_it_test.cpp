@@ -135,7 +135,7 @@ TEST(FixItExample, OneMoreFacetOpensAnInnerFacetOfASplitTetrahedron) {
 template <int D>
 std::vector<Violation> violations(const Complex<D>& k, Level level) {
   CellSoup<D> soup{{k.cells().begin(), k.cells().end()}, k.vertex_count(), {}};
-  for (std::uint32_t c = 0; c < k.cell_count(); ++c)
+  for (Index c = 0; c < k.cell_count(); ++c)
     soup.signs.push_back(static_cast<std::int8_t>(k.sign({c})));
   auto found = check(soup, level);
   std::erase_if(found, [](const Violation& v) { return std::holds_alternative<OrphanVertex>(v); });

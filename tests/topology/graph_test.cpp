@@ -149,7 +149,7 @@ TYPED_TEST(GraphsOf, StepsFromTheLeastVertexOfAGridAreItsGreatestCoordinate) {
   constexpr int D = TypeParam::value;
   const auto grid = kuhn_cube<D>(3);
   const auto distance = boost_distances(VertexGraph(complex_of<D>(grid)), VertexId{0});
-  for (std::uint32_t v = 0; v < grid.vertex_count; ++v) {
+  for (Index v = 0; v < grid.vertex_count; ++v) {
     const auto point = grid.point({v});
     EXPECT_EQ(distance[v], *std::max_element(point.begin(), point.end()));
   }

@@ -66,7 +66,7 @@ TYPED_TEST(Relabellings, SayWhatChangedAndNothingElse) {
     RC_ASSERT(cut.change.merges.empty());
     std::vector<RenamedCorner> renamed;
     std::map<VertexId, CornerId> least;  // of each class after the cut
-    for (std::uint32_t c = 0; c < cut.after.half_facet_count(); ++c) {
+    for (Index c = 0; c < cut.after.half_facet_count(); ++c) {
       const VertexId from = cut.before.vertex({c});
       const VertexId to = cut.after.vertex({c});
       if (from != to) renamed.push_back({{c}, from, to});
@@ -75,7 +75,7 @@ TYPED_TEST(Relabellings, SayWhatChangedAndNothingElse) {
     RC_ASSERT(cut.change.corners == renamed);
     // The class with the least corner keeps the vertex; new ones by parent, then least corner.
     std::vector<std::tuple<VertexId, CornerId>> order;
-    VertexId next{static_cast<std::uint32_t>(cut.before.vertex_count())};
+    VertexId next{static_cast<Index>(cut.before.vertex_count())};
     for (const Split& split : cut.change.splits) {
       RC_ASSERT(split.vertex == next);
       ++next.value;
@@ -99,7 +99,7 @@ TYPED_TEST(Relabellings, VertexDataFollowsTheParents) {
     Rng rng = trial.rng();
     std::vector<std::uint64_t> value(cut.before.vertex_count());
     std::vector<VertexId> chosen;
-    for (std::uint32_t v = 0; v < value.size(); ++v) {
+    for (Index v = 0; v < value.size(); ++v) {
       value[v] = rng.next();
       if (rng.chance(0.4)) chosen.push_back({v});
     }
@@ -109,7 +109,7 @@ TYPED_TEST(Relabellings, VertexDataFollowsTheParents) {
     carry_over_set(chosen, cut.change);
     RC_ASSERT(value.size() == cut.after.vertex_count());
     RC_ASSERT(std::is_sorted(chosen.begin(), chosen.end()));
-    for (std::uint32_t c = 0; c < cut.after.half_facet_count(); ++c) {
+    for (Index c = 0; c < cut.after.half_facet_count(); ++c) {
       const VertexId to = cut.after.vertex({c});
       const VertexId from = cut.before.vertex({c});
       RC_ASSERT(value[to.value] == old_value[from.value]);
@@ -151,11 +151,11 @@ TYPED_TEST(Incisions, CanonicalNumbersDependOnTheScoredSetAlone) {
     // Original vertices keep their numbers; copies follow without gaps, by original vertex.
     const auto number = canonical(at_once);
     std::map<VertexId, VertexId> original_of;  // by canonical number
-    for (std::uint32_t v = 0; v < number.size(); ++v) {
+    for (Index v = 0; v < number.size(); ++v) {
       if (v < k.vertex_count()) RC_ASSERT(number[v] == VertexId{v});
       if (v >= k.vertex_count()) original_of[number[v]] = at_once.original({v});
     }
-    VertexId next{static_cast<std::uint32_t>(k.vertex_count())};
+    VertexId next{static_cast<Index>(k.vertex_count())};
     VertexId last{0};
     for (const auto& [vertex, original] : original_of) {
       RC_ASSERT(vertex == next);
@@ -163,7 +163,7 @@ TYPED_TEST(Incisions, CanonicalNumbersDependOnTheScoredSetAlone) {
       RC_ASSERT(!(original < last));
       last = original;
     }
-    for (std::uint32_t c = 0; c < k.half_facet_count(); ++c)
+    for (Index c = 0; c < k.half_facet_count(); ++c)
       RC_ASSERT(at_once.original(at_once.complex().vertex({c})) == k.vertex({c}));
   });
 }
@@ -174,7 +174,7 @@ TYPED_TEST(Incisions, AFacetThatIsNotInteriorIsRefusedAndNothingChanges) {
     const Cut<D> cut(trial);
     Rng rng = trial.rng();
     std::vector<HalfFacetId> boundary;
-    for (std::uint32_t h = 0; h < cut.after.half_facet_count(); ++h)
+    for (Index h = 0; h < cut.after.half_facet_count(); ++h)
       if (!cut.after.is_interior({h})) boundary.push_back({h});
     if (boundary.empty()) return;
     const HalfFacetId wrong = rng.pick(boundary);
@@ -195,9 +195,8 @@ TYPED_TEST(Incisions, AFacetThatIsNotInteriorIsRefusedAndNothingChanges) {
     RC_ASSERT(refused([&] { unglue(k, FacetSet::of_lesser(asked)); }));
     RC_ASSERT(std::equal(cells.begin(), cells.end(), k.cells().begin(), k.cells().end()));
     RC_ASSERT(k.vertex_count() == cut.after.vertex_count());
-    for (std::uint32_t h = 0; h < k.half_facet_count(); ++h)
-      RC_ASSERT(k.mate({h}) == cut.after.mate({h}));
-    const HalfFacetId beyond{static_cast<std::uint32_t>(k.half_facet_count())};
+    for (Index h = 0; h < k.half_facet_count(); ++h) RC_ASSERT(k.mate({h}) == cut.after.mate({h}));
+    const HalfFacetId beyond{static_cast<Index>(k.half_facet_count())};
     RC_ASSERT_THROWS_AS(unglue(k, FacetSet::of_lesser({beyond})), NotInterior);
     for (const HalfFacetId shut : cut.change.shut)  // not named by its lesser half-facet
       RC_ASSERT_THROWS_AS(unglue(k, FacetSet::of_lesser({*k.mate(shut)})), NotInterior);

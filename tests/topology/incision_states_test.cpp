@@ -47,7 +47,7 @@ template <int D>
 VertexId separator(const std::vector<Cell<D>>& joined, const std::vector<Cell<D>>& apart,
                    HalfFacetId h, HalfFacetId mate) {
   std::optional<VertexId> least;
-  const std::uint32_t one = cell_of<D>(h).value, other = cell_of<D>(mate).value;
+  const Index one = cell_of<D>(h).value, other = cell_of<D>(mate).value;
   for (std::size_t i = 0; i <= D; ++i)
     for (std::size_t j = 0; j <= D; ++j)
       if (joined[one][i] == joined[other][j] && apart[one][i] != apart[other][j])
@@ -64,7 +64,7 @@ void check_change(const std::vector<Cell<D>>& before, const std::vector<Cell<D>>
   std::set<VertexId> used_before, used_after;
   for (std::size_t c = 0; c < before.size(); ++c)
     for (std::size_t i = 0; i <= D; ++i) {
-      const CornerId corner = half_facet<D>({static_cast<std::uint32_t>(c)}, static_cast<int>(i));
+      const CornerId corner = half_facet<D>({static_cast<Index>(c)}, static_cast<int>(i));
       if (before[c][i] != after[c][i]) renamed.push_back({corner, before[c][i], after[c][i]});
       used_before.insert(before[c][i]);
       used_after.insert(after[c][i]);
@@ -227,7 +227,7 @@ class Sequence {
     const auto cells = written(incision_);
     const auto number = canonical(incision_);
     std::map<VertexId, VertexId> original;
-    for (std::uint32_t v = 0; v < number.size(); ++v) original[number[v]] = incision_.original({v});
+    for (Index v = 0; v < number.size(); ++v) original[number[v]] = incision_.original({v});
     const FacetSet scored = incision_.scored();
     CellSoup<D> soup{cells, incision_.original_vertex_count(), signs_};
     for (Cell<D>& cell : soup.cells)
@@ -258,14 +258,14 @@ class Sequence {
     const std::size_t vertices_before = incision_.complex().vertex_count();
     // Data that is copied and must be equal where it is merged: the original of each vertex.
     std::vector<VertexId> followed(vertices_before);
-    for (std::uint32_t v = 0; v < vertices_before; ++v) followed[v] = incision_.original({v});
+    for (Index v = 0; v < vertices_before; ++v) followed[v] = incision_.original({v});
     Relabelling change = action();
     follow(step);
     RC_ASSERT(change.vertices_before == vertices_before);
     RC_ASSERT(change.vertices_after == incision_.complex().vertex_count());
     check_change<D>(before, cells_of(incision_.complex()), original_, change);
     carry_over(followed, change);
-    for (std::uint32_t c = 0; c < incision_.complex().half_facet_count(); ++c) {
+    for (Index c = 0; c < incision_.complex().half_facet_count(); ++c) {
       const VertexId v = incision_.complex().vertex({c});
       RC_ASSERT(followed[v.value] == incision_.original(v));
     }
@@ -284,7 +284,7 @@ class Sequence {
     RC_ASSERT(support::same_partition<D>(cells, support::algorithm_3<D>(original_, scored)));
     RC_ASSERT(!certify<D>(original_, scored, cells));
     const auto mates = support::mates_of<D>(cells);
-    for (std::uint32_t h = 0; h < k.half_facet_count(); ++h) {
+    for (Index h = 0; h < k.half_facet_count(); ++h) {
       RC_ASSERT(k.mate({h}) == mates[h]);
       RC_ASSERT(incision_.original(k.vertex({h})) ==
                 original_[cell_of<D>(HalfFacetId{h}).value]
@@ -309,7 +309,7 @@ class Sequence {
         if (v.value >= originals) copies.insert(v);
     most_copies_ = std::max(most_copies_, copies.size());
     RC_ASSERT(k.vertex_count() <= originals + most_copies_);
-    for (std::uint32_t v = static_cast<std::uint32_t>(originals); v < k.vertex_count(); ++v)
+    for (Index v = static_cast<Index>(originals); v < k.vertex_count(); ++v)
       RC_ASSERT(k.a_corner({v}).has_value() == copies.contains({v}));
   }
 

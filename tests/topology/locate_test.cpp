@@ -28,7 +28,7 @@ TYPED_TEST(LocateIn, KnowsNoFacetThatIsNoneAndAnswersRepetitions) {
   constexpr int D = TypeParam::value;
   const auto mesh = support::simplex<D>();
   Facet<D> absent{}, repeating{}, present{};
-  for (std::uint32_t i = 0; i < D; ++i) {
+  for (Index i = 0; i < D; ++i) {
     absent[i] = {i + 2};  // the last one is vertex D+1
     present[i] = {i};
   }

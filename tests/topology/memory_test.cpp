@@ -28,8 +28,8 @@ struct Sight {
 template <int D>
 Sight<D> sight_of(const Complex<D>& k) {
   Sight<D> sight{{k.cells().begin(), k.cells().end()}, {}, {}};
-  for (std::uint32_t h = 0; h < k.half_facet_count(); ++h) sight.mates.push_back(k.mate({h}));
-  for (std::uint32_t v = 0; v < k.vertex_count(); ++v) sight.corners.push_back(k.a_corner({v}));
+  for (Index h = 0; h < k.half_facet_count(); ++h) sight.mates.push_back(k.mate({h}));
+  for (Index v = 0; v < k.vertex_count(); ++v) sight.corners.push_back(k.a_corner({v}));
   return sight;
 }
 
@@ -64,7 +64,7 @@ template <int D>
 IncisionSight<D> sight_of(const Incision<D>& incision) {
   IncisionSight<D> sight{sight_of(incision.complex()), incision.opened(),  incision.shut(), {},
                          incision.can_undo(),          incision.can_redo()};
-  for (std::uint32_t v = 0; v < incision.complex().vertex_count(); ++v)
+  for (Index v = 0; v < incision.complex().vertex_count(); ++v)
     sight.originals.push_back(incision.original({v}));
   return sight;
 }
@@ -102,7 +102,7 @@ void expect_same_state(const Incision<D>& one, const Incision<D>& other) {
   EXPECT_EQ(one.scored(), other.scored());
   EXPECT_EQ(one.shut(), other.shut());
   const auto here = canonical(one), there = canonical(other);
-  for (std::uint32_t c = 0; c < one.complex().half_facet_count(); ++c)
+  for (Index c = 0; c < one.complex().half_facet_count(); ++c)
     ASSERT_EQ(here[one.complex().vertex({c}).value], there[other.complex().vertex({c}).value]);
 }
 

@@ -20,7 +20,7 @@ TYPED_TEST(PiecesOf, AreNumberedByTheirLeastCell) {
       complex_of(disjoint_union(simplex, disjoint_union(support::simplex_boundary<D>(), simplex)));
   const Pieces found = pieces(k);
   EXPECT_EQ(found.count, 3u);
-  std::vector<std::uint32_t> expected(k.cell_count(), 1);
+  std::vector<Index> expected(k.cell_count(), 1);
   expected.front() = 0;
   expected.back() = 2;
   EXPECT_EQ(found.of_cell, expected);

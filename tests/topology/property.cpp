@@ -63,7 +63,7 @@ Draw<D> with_cells(const Draw<D>& from, const std::vector<std::size_t>& cells) {
   for (const HalfFacetId h : from.cut) {
     const std::size_t c = number[cell_of<D>(h).value];
     if (c == cells.size()) continue;
-    const auto moved = half_facet<D>({static_cast<std::uint32_t>(c)}, local_index<D>(h));
+    const auto moved = half_facet<D>({static_cast<Index>(c)}, local_index<D>(h));
     if (mates[moved.value]) result.cut.push_back(moved);
   }
   return result;

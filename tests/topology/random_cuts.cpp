@@ -89,11 +89,11 @@ Cells<D> mutant_of(Cells<D> cells, const Relabelling& change, Rng& rng) {
   Cell<D>& one = cells[rng.below(cells.size())];
   VertexId& corner = one[rng.below(one.size())];
   if (kind == 0) {
-    corner = {static_cast<std::uint32_t>(rng.below(change.vertices_after))};
+    corner = {static_cast<Index>(rng.below(change.vertices_after))};
     return cells;
   }
   const VertexId old = corner;
-  const VertexId copy{static_cast<std::uint32_t>(change.vertices_after)};
+  const VertexId copy{static_cast<Index>(change.vertices_after)};
   for (Cell<D>& cell : cells)
     if (rng.chance(0.5)) std::replace(cell.begin(), cell.end(), old, copy);
   return cells;

@@ -54,7 +54,7 @@ TYPED_TEST(SimplicesOf, AreFoundInAnyOrderWithTheParityOfTheTuple) {
 TYPED_TEST(SimplicesOf, DoNotHoldWhatIsNoSimplex) {
   constexpr int D = TypeParam::value;
   const auto k = complex_of<D>(kuhn_cube<D>(3));
-  const VertexId least{0}, greatest{static_cast<std::uint32_t>(k.vertex_count() - 1)};
+  const VertexId least{0}, greatest{static_cast<Index>(k.vertex_count() - 1)};
   const Simplices<D> edges(k, 1);
   EXPECT_TRUE(edges.contains(Vertices{least, {1}}));
   EXPECT_FALSE(edges.contains(Vertices{least, greatest})) << "opposite corners of the grid";
@@ -76,10 +76,10 @@ TYPED_TEST(SimplicesOf, HalfFacetsAreFoundByOrientedTuple) {
   constexpr int D = TypeParam::value;
   for (const auto& k : sample_complexes<D>()) {
     std::vector<std::int8_t> signs;
-    for (std::uint32_t c = 0; c < k.cell_count(); ++c)
+    for (Index c = 0; c < k.cell_count(); ++c)
       signs.push_back(static_cast<std::int8_t>(k.sign({c})));
-    const auto step = static_cast<std::uint32_t>(1 + k.half_facet_count() / 500);
-    for (std::uint32_t h = 0; h < k.half_facet_count(); h += step) {
+    const auto step = static_cast<Index>(1 + k.half_facet_count() / 500);
+    for (Index h = 0; h < k.half_facet_count(); h += step) {
       Facet<D> tuple = support::sorted_facet<D>(k.cells(), {h});
       const int induced = support::induced_sign<D>(k.cells(), signs, {h});
       do {

@@ -167,7 +167,7 @@ TYPED_TEST(Soups, AssembleThrowsWhatCheckReports) {
       RC_ASSERT(std::equal(soup.cells.begin(), soup.cells.end(), k.cells().begin()));
       RC_ASSERT(k.vertex_count() == soup.vertex_count);
       const auto mates = support::mates_of<D>(soup.cells);
-      for (std::uint32_t h = 0; h < mates.size(); ++h) RC_ASSERT(k.mate({h}) == mates[h]);
+      for (Index h = 0; h < mates.size(); ++h) RC_ASSERT(k.mate({h}) == mates[h]);
     } catch (const InvalidComplex& error) {
       RC_ASSERT(grave(found) > 0U);
       RC_ASSERT(grave(error.violations) == grave(found));
@@ -190,7 +190,7 @@ TYPED_TEST(Soups, CheckFindsAllThatIsWrongWithRandomTuples) {
     std::set<std::pair<CellId, VertexId>> out_of_range;
     std::set<CellId> repeated;
     std::map<std::set<VertexId>, std::size_t> times;
-    for (std::uint32_t c = 0; c < mesh.cells.size(); ++c) {
+    for (Index c = 0; c < mesh.cells.size(); ++c) {
       const Cell<D>& cell = mesh.cells[c];
       const std::set<VertexId> vertices(cell.begin(), cell.end());
       if (vertices.size() < cell.size()) degenerate.insert({c});

@@ -16,7 +16,7 @@ namespace {
 template <int D, class Place>
 FacetSet facets_in(const Complex<D>& k, const support::KuhnGrid<D>& grid, Place place) {
   std::vector<HalfFacetId> found;
-  for (std::uint32_t h = 0; h < k.half_facet_count(); ++h) {
+  for (Index h = 0; h < k.half_facet_count(); ++h) {
     const Facet<D> facet = k.facet({h});
     if (k.is_interior({h}) &&
         std::all_of(facet.begin(), facet.end(), [&](VertexId v) { return place(grid.point(v)); }))
@@ -141,8 +141,8 @@ TEST(StitchFigure7, OneOfTwoShutsTheOther) {
                                {{{2}, {4}, {6}}}},
                               7};
   Incision<2> incision(complex_of(mesh));
-  const auto edge = [&](std::uint32_t a, std::uint32_t b) {
-    for (std::uint32_t h = 0; h < incision.complex().half_facet_count(); ++h)
+  const auto edge = [&](Index a, Index b) {
+    for (Index h = 0; h < incision.complex().half_facet_count(); ++h)
       if (ascending(incision.complex().facet({h})) == Vertices{{a}, {b}})
         return incision.facets(std::vector{HalfFacetId{h}});
     return FacetSet();

@@ -44,9 +44,7 @@ TEST(Summary, OfAHollowCubeHasTwoBoundaries) {
   expect_summary(support::sub_mesh<3>(grid, shell), 1, 2, 2);
 }
 
-Cell<2> triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  return {VertexId{a}, VertexId{b}, VertexId{c}};
-}
+Cell<2> triangle(Index a, Index b, Index c) { return {VertexId{a}, VertexId{b}, VertexId{c}}; }
 
 TEST(Summary, OfThreeTrianglesOnOneEdge) {
   // The common edge is no boundary; the other six close up at its two ends.

@@ -25,8 +25,7 @@ CornerId corner_in(const Complex<D>& k, CellId cell, VertexId vertex) {
 template <int D>
 std::vector<std::int8_t> signs_of(const Complex<D>& k) {
   std::vector<std::int8_t> signs;
-  for (std::uint32_t c = 0; c < k.cell_count(); ++c)
-    signs.push_back(static_cast<std::int8_t>(k.sign({c})));
+  for (Index c = 0; c < k.cell_count(); ++c) signs.push_back(static_cast<std::int8_t>(k.sign({c})));
   return signs;
 }
 
@@ -36,7 +35,7 @@ TYPED_TEST(T1, CellsStayDistinctSimplicesAndParentsGiveThemBack) {
     const Cut<D> cut(trial);
     RC_ASSERT(cut.after.cell_count() == cut.before.cell_count());
     std::set<std::set<VertexId>> cells;
-    for (std::uint32_t c = 0; c < cut.after.cell_count(); ++c) {
+    for (Index c = 0; c < cut.after.cell_count(); ++c) {
       const Cell<D>& cell = cut.after.vertices({c});
       const std::set<VertexId> vertices(cell.begin(), cell.end());
       RC_ASSERT(vertices.size() == static_cast<std::size_t>(D) + 1);
@@ -65,7 +64,7 @@ TYPED_TEST(T2, PseudoManifoldAndOrientationAreKept) {
     RC_ASSERT(support::is_coherent<D>(cut.after.cells(), trial.signs));
     RC_ASSERT(cut.after.half_facet_count() == cut.before.half_facet_count());
     const auto mates = support::mates_of<D>(cut.after.cells());
-    for (std::uint32_t h = 0; h < mates.size(); ++h) {
+    for (Index h = 0; h < mates.size(); ++h) {
       RC_ASSERT(cut.after.mate({h}) == mates[h]);
       if (mates[h]) RC_ASSERT(cut.before.mate({h}) == mates[h]);
       Facet<D> facet = cut.after.facet({h});
@@ -82,7 +81,7 @@ TYPED_TEST(T3, AFacetOpensIffOneOfItsVerticesSeparates) {
     const Cut<D> cut(trial);
     std::vector<OpenedFacet> opened;
     std::vector<HalfFacetId> shut;
-    for (std::uint32_t h = 0; h < cut.before.half_facet_count(); ++h) {
+    for (Index h = 0; h < cut.before.half_facet_count(); ++h) {
       const auto mate = cut.before.mate({h});
       if (!mate) RC_ASSERT(!cut.after.mate({h}));  // old boundary stays
       if (!mate || *mate < HalfFacetId{h}) continue;
@@ -126,7 +125,7 @@ TYPED_TEST(T4, AnyInputIsMadeCutRegular) {
     RC_ASSERT(support::same_partition<D>(cells, trial.regularized));
     const auto original = support::parts_of_stars<D>(trial.mesh.cells);
     std::map<VertexId, std::size_t> copies;
-    std::uint32_t next = static_cast<std::uint32_t>(trial.mesh.vertex_count);
+    Index next = static_cast<Index>(trial.mesh.vertex_count);
     for (const Split& split : made.splits) {
       RC_ASSERT(split.vertex == VertexId{next++});
       ++copies[split.parent];

@@ -32,7 +32,7 @@ bool is_admissible(const Cells<D>& before, const Cells<D>& splitting, const Face
 template <int D>
 std::map<VertexId, std::vector<CornerId>> classes_of(const Cells<D>& cells) {
   std::map<VertexId, std::vector<CornerId>> classes;
-  for (std::uint32_t c = 0; c < cells.size(); ++c)
+  for (Index c = 0; c < cells.size(); ++c)
     for (int i = 0; i <= D; ++i)
       classes[cells[c][static_cast<std::size_t>(i)]].push_back(half_facet<D>({c}, i));
   return classes;
@@ -76,7 +76,7 @@ TYPED_TEST(T7, NoClassCanBeSplitFurther) {
     Rng rng = trial.rng();
     const Cells<D> before = cells_of(cut.before);
     const Cells<D> after = cells_of(cut.after);
-    const VertexId fresh{static_cast<std::uint32_t>(cut.after.vertex_count())};
+    const VertexId fresh{static_cast<Index>(cut.after.vertex_count())};
     std::vector<std::vector<CornerId>> divisible;
     for (const auto& [vertex, corners] : classes_of<D>(after))
       if (corners.size() >= 2) divisible.push_back(corners);
@@ -105,7 +105,7 @@ TYPED_TEST(T7, EveryAdmissibleSplittingIsCoarser) {
       const auto piece = support::components<D>(before, some_of<D>(cut.facets, density, rng));
       const bool by_piece = tries < 4;
       Cells<D> splitting = before;
-      std::uint32_t fresh = static_cast<std::uint32_t>(cut.before.vertex_count());
+      Index fresh = static_cast<Index>(cut.before.vertex_count());
       for (const auto& [vertex, corners] : classes) {
         if (rng.chance(0.3)) continue;
         std::map<std::size_t, bool> moves;
@@ -236,7 +236,7 @@ TYPED_TEST(TheoremC, ACutThatPartsTheStarOpens) {
     const Complex<D> before = trial.complex();
     Rng rng = trial.rng();
     const VertexId vertex =
-        before.vertex({static_cast<std::uint32_t>(rng.below(before.half_facet_count()))});
+        before.vertex({static_cast<Index>(rng.below(before.half_facet_count()))});
     const auto is_at_vertex = [&](HalfFacetId h) {
       const Facet<D> facet = before.facet(h);
       return std::find(facet.begin(), facet.end(), vertex) != facet.end();
@@ -248,7 +248,7 @@ TYPED_TEST(TheoremC, ACutThatPartsTheStarOpens) {
     std::vector<HalfFacetId> cut, at_vertex;
     for (const HalfFacetId h : trial.cut)
       if (!is_at_vertex(h)) cut.push_back(h);
-    for (std::uint32_t h = 0; h < before.half_facet_count(); ++h)
+    for (Index h = 0; h < before.half_facet_count(); ++h)
       if (const auto mate = before.mate({h}); mate && HalfFacetId{h} < *mate && is_at_vertex({h}))
         if (label[cell_of<D>({h}).value] != label[cell_of<D>(*mate).value])
           at_vertex.push_back({h});

@@ -97,7 +97,7 @@ TYPED_TEST(T13, TheFloodReachesTheWholeStarAfterEveryCut) {
   for_all<D>([](const Trial<D>& trial) {
     const Cut<D> cut(trial);
     const auto stars = support::stars_of<D>(cut.after.cells());
-    for (std::uint32_t v = 0; v < cut.after.vertex_count(); ++v) {
+    for (Index v = 0; v < cut.after.vertex_count(); ++v) {
       const auto expected = stars.find(VertexId{v});
       RC_ASSERT(cut.after.a_corner({v}).has_value() == (expected != stars.end()));
       if (expected == stars.end()) continue;

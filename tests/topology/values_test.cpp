@@ -38,7 +38,7 @@ TEST(CarryOver, RefusesDataOfAnotherComplexAndLeavesItAlone) {
 
 TEST(Explain, RefusesAHalfFacetThatDoesNotExist) {
   const auto k = complex_of<2>(kuhn_cube<2>(3));
-  const HalfFacetId beyond{static_cast<std::uint32_t>(k.half_facet_count())};
+  const HalfFacetId beyond{static_cast<Index>(k.half_facet_count())};
   EXPECT_THROW(explain(k, FacetSet::all(k), beyond), NotInterior);
 }
 

@@ -47,7 +47,7 @@ FacetSet dense_cut(const Complex<D>& k) {
   const FacetSet every = FacetSet::all(k);
   std::vector<HalfFacetId> facets;
   for (const HalfFacetId h : every.half_facets())
-    if (h.value * 2654435761u % 5 < 2) facets.push_back(h);
+    if (static_cast<std::uint32_t>(h.value) * 2654435761u % 5 < 2) facets.push_back(h);
   return FacetSet::of_lesser(facets);
 }
 
@@ -75,7 +75,7 @@ template <int D>
 std::map<Vertices, std::vector<CellId>> simplices_by_definition(const Complex<D>& k,
                                                                 std::size_t size) {
   std::map<Vertices, std::vector<CellId>> found;
-  for (std::uint32_t c = 0; c < k.cell_count(); ++c) {
+  for (Index c = 0; c < k.cell_count(); ++c) {
     const Vertices cell = ascending(k.vertices({c}));
     std::vector<bool> chosen(cell.size());
     std::fill(chosen.end() - static_cast<std::ptrdiff_t>(size), chosen.end(), true);

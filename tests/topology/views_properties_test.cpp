@@ -130,7 +130,7 @@ TYPED_TEST(ViewsProperty, ARandomTupleIsFoundIffItIsASimplex) {
       for (int i = 0; i <= dimension; ++i)
         tuple.push_back(rng.chance(0.9)
                             ? cell[static_cast<std::size_t>(i)]
-                            : VertexId{static_cast<std::uint32_t>(rng.below(k.vertex_count()))});
+                            : VertexId{static_cast<Index>(rng.below(k.vertex_count()))});
       rng.shuffle(tuple);
       const auto found = simplices.find(tuple);
       RC_ASSERT(found.has_value() == expected.contains(ascending(tuple)));
@@ -201,7 +201,7 @@ TYPED_TEST(ViewsProperty, SummariesOfAnySoupCountSetsAsDefined) {
     soup.vertex_count = 2 + rng.below(2 * D + 4);
     soup.cells.resize(rng.below(12));
     for (Cell<D>& cell : soup.cells)
-      for (VertexId& v : cell) v = {static_cast<std::uint32_t>(rng.below(soup.vertex_count))};
+      for (VertexId& v : cell) v = {static_cast<Index>(rng.below(soup.vertex_count))};
     const Summary found = summarize(soup), expected = summary_by_definition(soup);
     RC_CLASSIFY(expected.pieces > 1, "several pieces");
     RC_CLASSIFY(expected.boundary_components > 1, "several boundary components");
@@ -223,7 +223,7 @@ TYPED_TEST(ViewsProperty, FacetsAreLocatedWhereTheyAre) {
       if (rng.chance(0.5)) continue;
       asked.push_back(facet);
       rng.shuffle(asked.back());
-      if (rng.chance(0.2)) asked.back()[0] = {static_cast<std::uint32_t>(k.vertex_count())};
+      if (rng.chance(0.2)) asked.back()[0] = {static_cast<Index>(k.vertex_count())};
       Facet<D> sorted = asked.back();
       std::sort(sorted.begin(), sorted.end());
       const auto found = facets.find(sorted);

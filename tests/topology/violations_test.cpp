@@ -254,8 +254,9 @@ TEST(Assemble, RegularizesOnlyWhatIsOtherwiseSound) {
 }
 
 TEST(RequireIdsSuffice, RefusesMoreCornersOrVerticesThanIds) {
-  // 2^32 - 1 means "none" and bounds every count; corners leave a bit to mark those without mate.
-  constexpr std::size_t kIds = std::numeric_limits<std::uint32_t>::max() - std::size_t{1};
+  // The greatest number means "none" and bounds every count; corners leave a bit to mark those
+  // without mate.
+  constexpr std::size_t kIds = kNoIndex - std::size_t{1};
   constexpr std::size_t kCorners = kIds / 2;
   for (const int dimension : {1, 2, 3, 4}) {
     const std::size_t most = kCorners / (static_cast<std::size_t>(dimension) + 1);
@@ -271,9 +272,9 @@ TEST(RequireIdsSuffice, RefusesMoreCornersOrVerticesThanIds) {
 
 // In time that does not grow with the square of the crowd.
 TEST(Check, AVertexInManyEdgesIsOneFinding) {
-  constexpr std::uint32_t kEdges = 300000;
+  constexpr Index kEdges = 300000;
   CellSoup<1> star{{}, kEdges + 1, {}};
-  for (std::uint32_t v = 1; v <= kEdges; ++v) star.cells.push_back({VertexId{0}, VertexId{v}});
+  for (Index v = 1; v <= kEdges; ++v) star.cells.push_back({VertexId{0}, VertexId{v}});
   EXPECT_EQ(only<FacetInThreeCells>(star).half_facets.size(), kEdges);
 }
 

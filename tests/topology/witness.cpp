@@ -122,7 +122,7 @@ struct Refute {
                   "the link is a sphere or a ball");
   }
   std::string operator()(const OrphanVertex& v) const {
-    for (std::uint32_t c = 0; c < soup.cells.size(); ++c)
+    for (Index c = 0; c < soup.cells.size(); ++c)
       if (vertex_set(soup, {c}).count(v.vertex) != 0) return "a cell uses it";
     return unless(v.vertex.value < soup.vertex_count, "it does not exist");
   }

@@ -13,11 +13,11 @@ void require_ids_suffice(int dimension, std::size_t cells, std::size_t vertices)
   const auto corners_per_cell = static_cast<std::size_t>(dimension) + 1;
   if (cells > (detail::kSevered - std::size_t{1}) / corners_per_cell)
     throw std::length_error(std::to_string(cells) + " cells of dimension " +
-                            std::to_string(dimension) +
-                            " have more corners than 32-bit ids can number");
+                            std::to_string(dimension) + " have more corners than " +
+                            std::to_string(kIdBits) + "-bit ids can number");
   if (vertices >= detail::kNone)
-    throw std::length_error(std::to_string(vertices) +
-                            " vertices are more than 32-bit ids can number");
+    throw std::length_error(std::to_string(vertices) + " vertices are more than " +
+                            std::to_string(kIdBits) + "-bit ids can number");
 }
 
 template <int D>

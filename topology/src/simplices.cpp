@@ -40,9 +40,10 @@ Simplices<D>::Simplices(const Complex<D>& k, int simplex_dimension) : k_(simplex
     throw std::invalid_argument("a complex of dimension " + std::to_string(D) +
                                 " has no simplices of dimension " + std::to_string(k_));
   if (k.cell_count() > kNoIndex / detail::face_count(D, k_))
-    throw std::length_error(
-        "too many (cell, face) pairs for 32-bit numbers: " + std::to_string(k.cell_count()) +
-        " cells of dimension " + std::to_string(D) + ", faces of dimension " + std::to_string(k_));
+    throw std::length_error("too many (cell, face) pairs for " + std::to_string(kIdBits) +
+                            "-bit numbers: " + std::to_string(k.cell_count()) +
+                            " cells of dimension " + std::to_string(D) + ", faces of dimension " +
+                            std::to_string(k_));
   detail::with_dimension<D>(k_, [&](auto dimension) {
     const auto pairs = sorted_pairs<dimension.value>(k);
     cells_.reserve(pairs.size());

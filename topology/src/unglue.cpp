@@ -81,7 +81,8 @@ class Ungluing {
     const VertexId parent = vertex(start);
     if (parent.value >= old_vertex_count_) return;  // visited: provisional
     if (old_vertex_count_ + classes_.size() >= detail::kNone)
-      throw std::length_error("the cut needs more vertices than 32-bit ids can number");
+      throw std::length_error("the cut needs more vertices than " + std::to_string(kIdBits) +
+                              "-bit ids can number");
     const VertexId provisional{old_vertex_count_ + static_cast<Index>(classes_.size())};
     const CornerId named = *k_.a_corner(parent);
     classes_.push_back({parent, start, corners_.size(), corners_.size(), provisional, named});

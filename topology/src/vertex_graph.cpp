@@ -1,6 +1,7 @@
 #include "cleave/topology/vertex_graph.hpp"
 
 #include <stdexcept>
+#include <string>
 
 #include "cleave/topology/simplices.hpp"
 
@@ -10,7 +11,8 @@ template <int D>
 VertexGraph::VertexGraph(const Complex<D>& k) {
   const Simplices<D> edges(k, 1);
   if (edges.count() > kNoIndex / 2)
-    throw std::length_error("too many 1-simplices for a vertex graph with 32-bit numbers");
+    throw std::length_error("too many 1-simplices for a vertex graph with " +
+                            std::to_string(kIdBits) + "-bit numbers");
   offsets_.assign(k.vertex_count() + 1, 0);
   for (std::size_t e = 0; e < edges.count(); ++e)
     for (const VertexId end : edges[e]) ++offsets_[end.value + 1];

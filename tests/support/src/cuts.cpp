@@ -30,7 +30,7 @@ struct Ground {
     std::vector<std::size_t> result;
     for (int i = 0; i <= D; ++i)
       if (const auto mate =
-              mates[topology::half_facet<D>({static_cast<std::uint32_t>(cell)}, i).value])
+              mates[topology::half_facet<D>({static_cast<topology::Index>(cell)}, i).value])
         result.push_back(topology::cell_of<D>(*mate).value);
     return result;
   }
@@ -87,7 +87,7 @@ Circle<D> circle_around(const Ground<D>& ground, HalfFacetId start, const Ridge&
       if (i != topology::local_index<D>(h) &&
           !std::binary_search(ridge.begin(), ridge.end(), ground.cells[cell][i]))
         other = i;
-    const auto out = topology::half_facet<D>({static_cast<std::uint32_t>(cell)}, other);
+    const auto out = topology::half_facet<D>({static_cast<topology::Index>(cell)}, other);
     const auto mate = ground.mates[out.value];
     if (!mate) return {};
     circle.facets.push_back(std::min(out, *mate));
@@ -135,7 +135,7 @@ template <int D>
 std::set<VertexId> inner_vertices(const Ground<D>& ground) {
   std::set<VertexId> inner;
   for (const Cell<D>& cell : ground.cells) inner.insert(cell.begin(), cell.end());
-  for (std::uint32_t h = 0; h < ground.mates.size(); ++h)
+  for (topology::Index h = 0; h < ground.mates.size(); ++h)
     if (!ground.mates[h])
       for (const VertexId v : sorted_facet<D>(ground.cells, {h})) inner.erase(v);
   return inner;

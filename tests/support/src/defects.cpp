@@ -12,12 +12,12 @@ namespace {
 
 template <int D>
 CellId last_cell(const Mesh<D>& mesh) {
-  return {static_cast<std::uint32_t>(mesh.cells.size() - 1)};
+  return {static_cast<topology::Index>(mesh.cells.size() - 1)};
 }
 
 template <int D>
 VertexId new_vertex(Mesh<D>& mesh) {
-  return {static_cast<std::uint32_t>(mesh.vertex_count++)};
+  return {static_cast<topology::Index>(mesh.vertex_count++)};
 }
 
 /// A complex of dimension D whose cells have no coherent signs.
@@ -48,7 +48,7 @@ void put_beside(Planted<D>& planted, const Mesh<D>& other) {
 template <int D>
 void plant_in_a_cell(Planted<D>& planted, Defect defect, Rng& rng) {
   auto& cells = planted.mesh.cells;
-  const CellId at{static_cast<std::uint32_t>(rng.below(cells.size()))};
+  const CellId at{static_cast<topology::Index>(rng.below(cells.size()))};
   const auto i = rng.below(static_cast<std::size_t>(D) + 1);
   Cell<D>& cell = cells[at.value];
   planted.cells = {at};
@@ -56,7 +56,7 @@ void plant_in_a_cell(Planted<D>& planted, Defect defect, Rng& rng) {
     cell[i] = cell[(i + 1 + rng.below(D)) % cell.size()];
     planted.vertices = {cell[i]};
   } else if (defect == Defect::vertex_out_of_range) {
-    cell[i] = {static_cast<std::uint32_t>(planted.mesh.vertex_count + rng.below(5))};
+    cell[i] = {static_cast<topology::Index>(planted.mesh.vertex_count + rng.below(5))};
     planted.vertices = {cell[i]};
   } else if (defect == Defect::duplicate_cell) {
     Cell<D> again = cell;
@@ -101,7 +101,7 @@ void plant_touching_cell(Planted<D>& planted, Rng& rng) {
 
 template <int D>
 void plant_pinched_edge(Planted<D>& planted) {
-  const auto shift = static_cast<std::uint32_t>(planted.mesh.vertex_count);
+  const auto shift = static_cast<topology::Index>(planted.mesh.vertex_count);
   std::vector<bool> keep;
   const KuhnGrid<D> grid = pinched_edge_grid<D>(keep);
   put_beside<D>(planted, sub_mesh<D>(grid, keep));
@@ -191,7 +191,7 @@ Planted<D> plant(Defect defect, Rng& rng) {
     case Defect::bad_vertex_link:
       if constexpr (D == 3) {
         put_beside<D>(planted, cone<D>(torus<D - 1>(rng.between(3, 4))));
-        planted.vertices = {{static_cast<std::uint32_t>(planted.mesh.vertex_count - 1)}};
+        planted.vertices = {{static_cast<topology::Index>(planted.mesh.vertex_count - 1)}};
       }
       break;
     case Defect::orphan_vertex:
@@ -210,7 +210,7 @@ Mesh<D> random_soup(Rng& rng) {
     Cell<D> cell{};
     const bool may_repeat = rng.chance(0.1);
     for (std::size_t i = 0; i < cell.size(); ++i) do
-        cell[i] = {static_cast<std::uint32_t>(rng.below(names))};
+        cell[i] = {static_cast<topology::Index>(rng.below(names))};
       while (!may_repeat && std::find(cell.begin(), cell.begin() + static_cast<int>(i), cell[i]) !=
                                 cell.begin() + static_cast<int>(i));
     mesh.cells.push_back(cell);

@@ -8,7 +8,7 @@
 namespace cleave::support {
 namespace {
 
-VertexId vertex_id(std::size_t v) { return {static_cast<std::uint32_t>(v)}; }
+VertexId vertex_id(std::size_t v) { return {static_cast<topology::Index>(v)}; }
 
 template <std::size_t N>
 std::size_t product(const std::array<int, N>& factors) {

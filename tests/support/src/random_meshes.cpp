@@ -15,7 +15,7 @@ template <int D>
 using Point = typename KuhnGrid<D>::Point;
 
 VertexId add_vertex(std::size_t& vertex_count) {
-  return {static_cast<std::uint32_t>(vertex_count++)};
+  return {static_cast<topology::Index>(vertex_count++)};
 }
 
 /// A grid of random proportions whose number of cells suits a test.
@@ -154,7 +154,7 @@ template <int D>
 void insert_vertex(Mesh<D>& mesh, std::size_t largest, Rng& rng) {
   const auto mates = mates_of<D>(mesh.cells);
   const auto side = [](std::size_t cell, int i) {
-    return topology::half_facet<D>({static_cast<std::uint32_t>(cell)}, i);
+    return topology::half_facet<D>({static_cast<topology::Index>(cell)}, i);
   };
   std::vector<std::size_t> cavity{rng.below(mesh.cells.size())};
   std::vector<bool> in_cavity(mesh.cells.size());

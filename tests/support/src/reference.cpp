@@ -86,7 +86,7 @@ Facet<D> sorted_facet(std::span<const Cell<D>> cells, HalfFacetId h) {
 template <int D>
 std::map<Facet<D>, std::vector<HalfFacetId>> facets_of(std::span<const Cell<D>> cells) {
   std::map<Facet<D>, std::vector<HalfFacetId>> facets;
-  for (std::uint32_t h = 0; h < cells.size() * (static_cast<std::size_t>(D) + 1); ++h)
+  for (topology::Index h = 0; h < cells.size() * (static_cast<std::size_t>(D) + 1); ++h)
     facets[sorted_facet<D>(cells, {h})].push_back({h});
   return facets;
 }
@@ -143,7 +143,7 @@ std::vector<Cell<D>> algorithm_3(std::span<const Cell<D>> cells, std::span<const
                                  std::span<const VertexId> order) {
   std::vector<Cell<D>> mesh(cells.begin(), cells.end());
   const std::set<CellPair> surface = cell_pairs<D>(cells, cut);
-  std::uint32_t fresh = 0;
+  topology::Index fresh = 0;
   for (const Cell<D>& cell : mesh)
     for (const VertexId v : cell) fresh = std::max(fresh, v.value + 1);
   std::map<VertexId, std::set<VertexId>> copies;
@@ -204,7 +204,7 @@ std::optional<std::vector<std::int8_t>> coherent_signs(std::span<const Cell<D>> 
       const std::size_t t = todo.back();
       todo.pop_back();
       for (int i = 0; i <= D; ++i) {
-        const auto h = topology::half_facet<D>({static_cast<std::uint32_t>(t)}, i);
+        const auto h = topology::half_facet<D>({static_cast<topology::Index>(t)}, i);
         if (!mates[h.value]) continue;
         const std::size_t u = topology::cell_of<D>(*mates[h.value]).value;
         if (signs[u] != 0) continue;
@@ -230,7 +230,7 @@ std::set<std::size_t> flood(std::span<const Cell<D>> cells, std::span<const std:
   std::set<std::size_t> reached{start};
   std::vector<std::size_t> todo{start};
   while (!todo.empty()) {
-    const auto t = static_cast<std::uint32_t>(todo.back());
+    const auto t = static_cast<topology::Index>(todo.back());
     todo.pop_back();
     for (int j = 0; j <= D; ++j) {
       const auto s_j = topology::half_facet<D>({t}, j);

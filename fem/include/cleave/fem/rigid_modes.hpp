@@ -16,7 +16,7 @@ namespace cleave::fem {
 /// t + w cross (x - centre)/radius, where t and w are rows 0..2 and 3..5 of column m of `modes`;
 /// the columns are orthonormal.
 struct UnsupportedPiece {
-  std::uint32_t piece = 0;                           // as topology::pieces numbers them
+  topology::Index piece = 0;                         // as topology::pieces numbers them
   topology::CellId a_cell{};                         // the least cell of the piece
   std::vector<topology::VertexId> vertices;          // of the piece, ascending
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // mean of its points

@@ -16,6 +16,8 @@ using Index = std::uint64_t;
 using Index = std::uint32_t;
 #endif
 
+inline constexpr int kIdBits = 8 * static_cast<int>(sizeof(Index));
+
 /// No id has this value: it stands for "none".
 inline constexpr Index kNoIndex = static_cast<Index>(-1);
 

@@ -13,7 +13,7 @@ enum class Verify { none, touched, all };
 /// keeps the vertex; the others get new ones, numbered from vertex_count() on in order of parent,
 /// then of least corner. Guarantees (T1 to T4): oriented cut-regular pseudo-manifold again; only
 /// facets of `cut` open; a facet of `cut` stays interior iff none of its vertices separates its two
-/// cells. Throws: std::length_error if the new vertices do not fit 32-bit ids, std::bad_alloc,
+/// cells. Throws: std::length_error if the new vertices do not fit the ids, std::bad_alloc,
 /// NotInterior for a facet that is none of `k`'s interior facets, InvariantBroken if the
 /// verification fails (a defect of ours); `k` is unchanged then. Time: linear in the stars of the
 /// cut's vertices (and sorting them), independent of the size of `k`; with Verify::all linear in
