@@ -40,7 +40,7 @@ TYPED_TEST(VerifyTouched, AcceptsWhatHappenedAndRefusesEveryOtherStory) {
         std::sort(told.shut.begin(), told.shut.end());
         told.opened.pop_back();
       },
-      [](Relabelling& told) { told.shut.push_back(HalfFacetId{UINT32_MAX - 1}); }};
+      [](Relabelling& told) { told.shut.push_back(HalfFacetId{kNoIndex - 1}); }};
   for (std::size_t n = 0; n < lies.size(); ++n) {
     Relabelling told = truth;
     lies[n](told);
@@ -77,7 +77,7 @@ TYPED_TEST(VerifyTouched, AcceptsAStitchAndRefusesEveryOtherStory) {
       [](Relabelling& told) { ++told.corners.front().to.value; },
       [](Relabelling& told) { told.corners.front().from = told.corners.front().to; },
       [](Relabelling& told) { told.closed.front().former_mate = told.closed.back().former_mate; },
-      [](Relabelling& told) { told.shut.push_back(HalfFacetId{UINT32_MAX - 1}); }};
+      [](Relabelling& told) { told.shut.push_back(HalfFacetId{kNoIndex - 1}); }};
   for (std::size_t n = 0; n < lies.size(); ++n) {
     Relabelling told = truth;
     lies[n](told);
