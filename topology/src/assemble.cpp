@@ -5,12 +5,15 @@
 
 #include "cleave/topology/check.hpp"
 #include "dimensions.hpp"
-#include "facet_matching.hpp"
+#include "plain_mates.hpp"
 #include "soundness.hpp"
 #include "star_pass.hpp"
 
 namespace cleave::topology {
 namespace {
+
+/// The fraction of the work that is done when the mates are found.
+constexpr double kMatched = 0.6;
 
 /// The violations that keep `soup` from being a complex once its stars are regular.
 template <int D>
@@ -21,20 +24,6 @@ std::vector<Violation> hindrances(const CellSoup<D>& soup) {
                      [](const Violation& v) { return std::holds_alternative<OrphanVertex>(v); }),
       all.end());
   return all;
-}
-
-template <int D>
-bool coherent(const CellSoup<D>& soup, const std::vector<HalfFacetId>& mates) {
-  const auto sign = [&](HalfFacetId h) {
-    return soup.signs.empty() ? 1 : soup.signs[cell_of<D>(h).value];
-  };
-  for (Index h = 0; h < mates.size(); ++h) {
-    const HalfFacetId mate = mates[h];
-    if (mate.value == detail::kNone || mate.value < h) continue;
-    const bool as_written = detail::opposite_as_written<D>(soup.cells, HalfFacetId{h}, mate);
-    if (as_written != (sign(HalfFacetId{h}) == sign(mate))) return false;
-  }
-  return true;
 }
 
 /// Gives every part but the first of each star a vertex of its own, in the order of `surplus`.
@@ -57,22 +46,37 @@ std::vector<Split> split_parts(std::vector<Cell<D>>& cells, const std::vector<Ha
   return splits;
 }
 
+/// A bit for each cell that has a sign other than +1; the signs are gone.
+std::vector<bool> reversed_cells(std::size_t cell_count, std::vector<std::int8_t> signs) {
+  std::vector<bool> reversed(cell_count, false);
+  for (std::size_t c = 0; c < signs.size(); ++c) reversed[c] = signs[c] < 0;
+  return reversed;
+}
+
 template <int D>
-Regularized<D> build(CellSoup<D> soup, bool regularize) {
+[[noreturn]] void refuse(CellSoup<D> soup, const std::vector<bool>& reversed) {
+  soup.signs.resize(soup.cells.size());
+  for (std::size_t c = 0; c < reversed.size(); ++c)
+    soup.signs[c] = static_cast<std::int8_t>(reversed[c] ? -1 : 1);
+  throw InvalidComplex(hindrances(soup));
+}
+
+template <int D>
+Regularized<D> build(CellSoup<D> soup, bool regularize, const RunOptions& options) {
   require_ids_suffice(D, soup.cells.size(), soup.vertex_count);
   detail::require_signs<D>(soup);
-  if (!detail::unsound_cells<D>(soup).empty()) throw InvalidComplex(hindrances(soup));
-  detail::FacetMatching matching = detail::match_facets<D>(soup.cells, soup.vertex_count);
-  if (!matching.crowded.empty() || !matching.duplicates.empty() || !coherent(soup, matching.mates))
-    throw InvalidComplex(hindrances(soup));
+  std::vector<bool> reversed = reversed_cells(soup.cells.size(), std::exchange(soup.signs, {}));
+  detail::Crew crew(options);
+  crew.next_stage(kMatched);
+  auto mates = detail::plain_mates<D>(
+      soup.cells, soup.vertex_count, [&](CellId c) { return reversed[c.value]; }, crew);
+  if (!mates) refuse(std::move(soup), reversed);
 
-  auto [a_corner, surplus] = detail::star_pass<D>(soup.cells, matching.mates, soup.vertex_count);
-  if (!surplus.empty() && !regularize) throw InvalidComplex(hindrances(soup));
+  auto [a_corner, surplus] = detail::star_pass<D>(soup.cells, *mates, soup.vertex_count);
+  if (!surplus.empty() && !regularize) refuse(std::move(soup), reversed);
   require_ids_suffice(D, soup.cells.size(), soup.vertex_count + surplus.size());
-  std::vector<Split> splits = split_parts<D>(soup.cells, matching.mates, surplus, a_corner);
-  std::vector<bool> reversed(soup.cells.size(), false);
-  for (std::size_t c = 0; c < soup.signs.size(); ++c) reversed[c] = soup.signs[c] < 0;
-  return {detail::ComplexAccess<D>::make(std::move(soup.cells), std::move(matching.mates),
+  std::vector<Split> splits = split_parts<D>(soup.cells, *mates, surplus, a_corner);
+  return {detail::ComplexAccess<D>::make(std::move(soup.cells), std::move(*mates),
                                          std::move(reversed), std::move(a_corner)),
           std::move(splits)};
 }
@@ -80,18 +84,18 @@ Regularized<D> build(CellSoup<D> soup, bool regularize) {
 }  // namespace
 
 template <int D>
-Complex<D> assemble(CellSoup<D> soup) {
-  return build(std::move(soup), false).complex;
+Complex<D> assemble(CellSoup<D> soup, const RunOptions& options) {
+  return build(std::move(soup), false, options).complex;
 }
 
 template <int D>
-Regularized<D> assemble_regularized(CellSoup<D> soup) {
-  return build(std::move(soup), true);
+Regularized<D> assemble_regularized(CellSoup<D> soup, const RunOptions& options) {
+  return build(std::move(soup), true, options);
 }
 
-#define CLEAVE_INSTANTIATE(D)                   \
-  template Complex<D> assemble<D>(CellSoup<D>); \
-  template Regularized<D> assemble_regularized<D>(CellSoup<D>);
+#define CLEAVE_INSTANTIATE(D)                                      \
+  template Complex<D> assemble<D>(CellSoup<D>, const RunOptions&); \
+  template Regularized<D> assemble_regularized<D>(CellSoup<D>, const RunOptions&);
 CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
 

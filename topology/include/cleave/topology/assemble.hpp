@@ -4,6 +4,7 @@
 #include "cleave/topology/cell_soup.hpp"
 #include "cleave/topology/complex.hpp"
 #include "cleave/topology/relabelling.hpp"
+#include "cleave/topology/run_options.hpp"
 #include "cleave/topology/violation.hpp"
 
 namespace cleave::topology {
@@ -12,9 +13,10 @@ namespace cleave::topology {
 /// cut_regular unless `soup` is a coherently oriented, cut-regular pseudo-manifold of distinct
 /// cells (orphan vertices are kept and no violation here); std::length_error if ids do not suffice;
 /// std::invalid_argument for signs that are not one per cell, each +1 or -1.
-/// Time: linear. Peak memory beyond the result, D = 3: 20 bytes per cell.
+/// Time: linear. Peak memory beyond the result, D = 3: 8 bytes per cell, and 4 per vertex for each
+/// thread but the first.
 template <int D>
-Complex<D> assemble(CellSoup<D> soup);
+Complex<D> assemble(CellSoup<D> soup, const RunOptions& options = {});
 
 /// A complex and what was done to the vertices to make it cut-regular.
 template <int D>
@@ -27,6 +29,6 @@ struct Regularized {
 /// gets a copy for each part but the one with its least corner. Copies are numbered from
 /// soup.vertex_count on. (Figure 8; T4 and T5 say that nothing else changes.)
 template <int D>
-Regularized<D> assemble_regularized(CellSoup<D> soup);
+Regularized<D> assemble_regularized(CellSoup<D> soup, const RunOptions& options = {});
 
 }  // namespace cleave::topology

@@ -1,0 +1,125 @@
+#pragma once
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "crew.hpp"
+#include "facet_bucket.hpp"
+
+namespace cleave::topology::detail {
+
+/// The two least vertices of a cell, the least first.
+template <int D>
+std::pair<Index, Index> two_least(const Cell<D>& cell) {
+  Index least = cell[0].value, second = cell[1].value;
+  put_in_order(least, second);
+  for (std::size_t i = 2; i <= D; ++i) {
+    Index other = cell[i].value;
+    put_in_order(second, other);
+    put_in_order(least, second);
+  }
+  return {least, second};
+}
+
+/// For each vertex, the cells of which it is the least or the second least: every facet of a cell
+/// has one of these two as its least vertex. 8 bytes per cell and 4 per vertex.
+template <int D>
+class CellBuckets {
+ public:
+  /// None if a cell names a vertex that does not exist.
+  static std::optional<CellBuckets> of(std::span<const Cell<D>> cells, std::size_t vertex_count,
+                                       Crew& crew) {
+    CellBuckets buckets;
+    const auto workers = static_cast<std::size_t>(crew.size());
+    const auto block = [&](std::size_t worker) {
+      const std::size_t begin = cells.size() * worker / workers;
+      return cells.subspan(begin, cells.size() * (worker + 1) / workers - begin);
+    };
+    // ends[w][v]: where the next cell of worker w goes in bucket v. Its blocks come in the order of
+    // workers, so that the buckets are the same for any number of them.
+    std::vector<std::vector<Index>> ends(workers);
+    for (auto& end : ends) end.assign(vertex_count, 0);
+    std::atomic<bool> sound = true;
+    crew.on_each([&](int worker) {
+      std::vector<Index>& count = ends[static_cast<std::size_t>(worker)];
+      for (const Cell<D>& cell : block(static_cast<std::size_t>(worker))) {
+        bool exist = true;
+        for (const VertexId v : cell) exist &= v.value < vertex_count;
+        if (!exist) {
+          sound = false;
+          return;
+        }
+        const auto [least, second] = two_least<D>(cell);
+        ++count[least];
+        ++count[second];
+      }
+    });
+    if (!sound) return std::nullopt;
+    Index next = 0;
+    for (std::size_t v = 0; v < vertex_count; ++v)
+      for (auto& end : ends) next += std::exchange(end[v], next);
+    buckets.cells_ = std::make_unique_for_overwrite<Index[]>(2 * cells.size() + kAhead);
+    std::fill_n(buckets.cells_.get() + 2 * cells.size(), kAhead, Index{0});
+    crew.on_each([&](int worker) {
+      std::vector<Index>& end = ends[static_cast<std::size_t>(worker)];
+      const auto mine = block(static_cast<std::size_t>(worker));
+      auto id = static_cast<Index>(mine.data() - cells.data());
+      for (const Cell<D>& cell : mine) {
+        const auto [least, second] = two_least<D>(cell);
+        buckets.cells_[end[least]++] = id;
+        buckets.cells_[end[second]++] = id;
+        ++id;
+      }
+    });
+    buckets.end_ = std::move(ends.back());
+    return buckets;
+  }
+
+  /// Bucket v is the places begin(v) .. begin(v + 1); kAhead more may be read after the last one.
+  Index begin(std::size_t vertex) const { return vertex == 0 ? 0 : end_[vertex - 1]; }
+  CellId operator[](std::size_t place) const { return {cells_[place]}; }
+  static constexpr std::size_t kAhead = 24;
+
+ private:
+  std::unique_ptr<Index[]> cells_;
+  std::vector<Index> end_;
+};
+
+/// The mates of all half-facets (kNone on the boundary) of a mesh that is plain: its cells are
+/// sound, none is there twice, no facet is in three cells, and mates have opposite orientations.
+/// None if it is not; match_facets and `check` say why. `reversed(c)`: whether cell number c has
+/// the reverse of its tuple's orientation.
+/// Time: linear. Memory beyond the result, D = 3: 8 bytes per cell, 4 per vertex and worker.
+template <int D, class Reversed>
+std::optional<std::vector<HalfFacetId>> plain_mates(std::span<const Cell<D>> cells,
+                                                    std::size_t vertex_count, Reversed reversed,
+                                                    Crew& crew) {
+  const auto buckets = CellBuckets<D>::of(cells, vertex_count, crew);
+  if (!buckets) return std::nullopt;
+  std::vector<HalfFacetId> mates(cells.size() * (D + 1));
+  std::atomic<bool> plain = true;
+  std::vector<FacetBucket<D>> facets(static_cast<std::size_t>(crew.size()));
+  crew.share(vertex_count, [&](int worker, std::size_t begin, std::size_t end) {
+    FacetBucket<D>& bucket = facets[static_cast<std::size_t>(worker)];
+    for (std::size_t v = begin; v < end && plain; ++v) {
+      const std::size_t first = buckets->begin(v), last = buckets->begin(v + 1);
+      bucket.begin(VertexId{static_cast<Index>(v)}, last - first);
+      for (std::size_t n = first; n < last; ++n) {
+        const CellId later = (*buckets)[n + CellBuckets<D>::kAhead], cell = (*buckets)[n];
+        __builtin_prefetch(&cells[later.value]);
+        __builtin_prefetch(&mates[half_facet<D>(later, 0).value], 1);
+        bucket.add(cell, cells[cell.value], reversed(cell));
+      }
+      if (!bucket.match(mates)) plain = false;
+    }
+  });
+  if (!plain) return std::nullopt;
+  return mates;
+}
+
+}  // namespace cleave::topology::detail
