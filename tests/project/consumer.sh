@@ -22,4 +22,12 @@ cmake --build "$work/build"
 for program in use_topology use_cutting use_fem README_example topology_example; do
   "$work/build/$program" || { echo "$program failed"; exit 1; }
 done
+
+# The programs of the guides are a project of their own, too.
+cmake -S "$source_dir/examples" -B "$work/examples" -G Ninja -DCMAKE_PREFIX_PATH="$work/prefix" \
+  -DCMAKE_CXX_COMPILER="$compiler" >"$work/configure.log" || { cat "$work/configure.log"; exit 1; }
+cmake --build "$work/examples"
+for program in seams crack network space_time; do
+  "$work/examples/example_$program" >/dev/null || { echo "example $program failed"; exit 1; }
+done
 echo "consumer: found, built and ran with every module"
