@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "cleave/support/heap.hpp"
 #include "cleave/topology/incision.hpp"
+#include "cleave/topology/properties.hpp"
 #include "cleave/topology/unglue.hpp"
 #include "view_laws.hpp"
 
@@ -162,6 +164,29 @@ TYPED_TEST(Memory, AWarmIncisionThatRunsOutOfItChangesNothing) {
   Incision<D> at_once(original);
   at_once.cut(cut - every(2, cut));
   expect_same_state(incision, at_once);
+}
+
+TYPED_TEST(Memory, PropertiesThatRunOutOfItAllStay) {
+  constexpr int D = TypeParam::value;
+  Incision<D> incision(complex_of<D>(kuhn_cube<D>(D <= 2 ? 5 : 3)));
+  VertexProperties properties(incision.complex().vertex_count());
+  const auto& number = properties.add_constant("number", 7);
+  const auto& name = properties.add_constant("name", std::string(40, 'x'));  // copies allocate
+  const auto follow = [&](const Relabelling& change) {
+    const auto numbers = number.values();
+    const auto names = name.values();
+    const std::size_t needed = support::run_out_of_memory([&] { properties.follow(change); },
+                                                          [&] {
+                                                            EXPECT_EQ(number.values(), numbers);
+                                                            EXPECT_EQ(name.values(), names);
+                                                          });
+    EXPECT_GT(needed, 0u);
+    EXPECT_EQ(number.values(), std::vector<int>(incision.complex().vertex_count(), 7));
+    EXPECT_EQ(name.values(),
+              std::vector<std::string>(incision.complex().vertex_count(), std::string(40, 'x')));
+  };
+  follow(incision.cut(dense_cut(incision.complex())));
+  follow(incision.undo());
 }
 
 /// The most bytes that a cut along all interior facets around the middle vertex of a grid holds.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kNoLimit = SIZE_MAX;
 
-std::atomic<std::size_t> held{0}, peak{0}, allowed{kNoLimit};
+std::atomic<std::size_t> held{0}, peak{0}, calls{0}, allowed{kNoLimit};
 
 bool is_allowed() {
   if (allowed == kNoLimit) return true;
@@ -24,6 +24,7 @@ bool is_allowed() {
 }  // namespace
 
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++calls;
   void* block = is_allowed() ? std::malloc(std::max<std::size_t>(size, 1)) : nullptr;
   const std::size_t now = held += malloc_usable_size(block);  // 0 for a null pointer
   if (now > peak) peak = now;
@@ -46,6 +47,7 @@ void operator delete(void* block, std::size_t) noexcept { operator delete(block)
 namespace cleave::support {
 
 std::size_t heap_bytes() { return held; }
+std::size_t allocations() { return calls; }
 std::size_t heap_peak() { return peak; }
 void forget_heap_peak() { peak = held.load(); }
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 #include <stdexcept>
-#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -83,43 +83,117 @@ struct Sum {
 
 namespace detail {
 
-/// Merges grouped by the vertex that stays: calls visit(vertices) for each, as for a policy.
+/// Merges grouped by the vertex that stays.
+class MergeGroups {
+ public:
+  /// Keeps its memory from one time to the next.
+  void fill(std::span<const Merge> merges);
+
+  /// Calls visit(vertices) for each group as for a policy, the vertices that stay ascending.
+  template <class Visit>
+  void for_each(Visit visit) const {
+    std::size_t first = 0;
+    for (const std::size_t end : ends_) {
+      visit(std::span(vertices_).subspan(first, end - first));
+      first = end;
+    }
+  }
+
+ private:
+  std::vector<Merge> by_kept_;
+  std::vector<VertexId> vertices_;  // of all groups, one after the other
+  std::vector<std::size_t> ends_;   // of the groups
+};
+
+/// The same for merges that are looked at once.
 template <class Visit>
 void for_each_merged(std::span<const Merge> merges, Visit visit) {
-  std::vector<Merge> by_kept(merges.begin(), merges.end());
-  std::sort(by_kept.begin(), by_kept.end(), [](const Merge& a, const Merge& b) {
-    return a.into != b.into ? a.into < b.into : a.vertex < b.vertex;
-  });
-  std::vector<VertexId> vertices;
-  for (auto first = by_kept.begin(); first != by_kept.end();) {
-    vertices.assign(1, first->into);
-    for (; first != by_kept.end() && first->into == vertices[0]; ++first)
-      vertices.push_back(first->vertex);
-    visit(std::span<const VertexId>(vertices));
-  }
+  MergeGroups groups;
+  groups.fill(merges);
+  groups.for_each(visit);
 }
+
+/// Throws std::invalid_argument unless there is a value for each vertex of before.
+void require_value_each(std::size_t values, const Relabelling& change);
+
+/// Makes one array follow a change, in two parts: `prepare` throws, and changes nothing that can be
+/// seen; `commit` does neither. So several arrays follow, or none. Keeps its memory from one time
+/// to the next.
+template <class T>
+class Carrying {
+  static_assert(std::is_nothrow_move_assignable_v<T>, "a failure must leave all values alone");
+
+ public:
+  /// `groups` of the merges of `change`.
+  template <class Merging>
+  void prepare(std::vector<T>& values, const Relabelling& change, const MergeGroups& groups,
+               const Merging& merge) {
+    require_value_each(values.size(), change);
+    merged_.clear();
+    groups.for_each([&](std::span<const VertexId> vertices) {
+      merged_.push_back({vertices[0], merge(std::as_const(values), vertices)});
+    });
+    copies_.clear();
+    if constexpr (kPrepareCopies) {
+      copies_.reserve(change.splits.size());
+      for (const Split& split : change.splits) {
+        const T* const value = find_merged(split.parent);
+        copies_.push_back(value != nullptr ? *value : values[split.parent.value]);
+      }
+    }
+    if (values.capacity() < change.vertices_after)
+      values.reserve(std::max(change.vertices_after, 2 * values.capacity()));
+  }
+
+  /// Requires that `prepare` has been called with the same.
+  void commit(std::vector<T>& values, const Relabelling& change) noexcept {
+    values.resize(change.vertices_after);
+    for (Merged& merged : merged_) values[merged.vertex.value] = std::move(merged.value);
+    for (std::size_t n = 0; n < change.splits.size(); ++n) {
+      const Split& split = change.splits[n];
+      if constexpr (kPrepareCopies)
+        values[split.vertex.value] = std::move(copies_[n]);
+      else
+        values[split.vertex.value] = values[split.parent.value];
+    }
+  }
+
+ private:
+  struct Merged {
+    VertexId vertex;
+    T value;
+  };
+
+  /// Whether copying a value may throw, so that it is not for `commit`.
+  static constexpr bool kPrepareCopies = !std::is_nothrow_copy_assignable_v<T>;
+
+  const T* find_merged(VertexId vertex) const {
+    const auto at =
+        std::lower_bound(merged_.begin(), merged_.end(), vertex,
+                         [](const Merged& merged, VertexId v) { return merged.vertex < v; });
+    return at != merged_.end() && at->vertex == vertex ? &at->value : nullptr;
+  }
+
+  std::vector<Merged> merged_;  // ascending by vertex
+  std::vector<T> copies_;       // of each split, if they are prepared
+};
 
 }  // namespace detail
 
 /// Makes data held per vertex follow a change: each new vertex gets the value of its parent, merged
 /// ones become what the policy says. `per_vertex` has change.vertices_before entries and gets
-/// change.vertices_after; throws std::invalid_argument if it has another number of them, and what
-/// the policy throws; `per_vertex` is unchanged then. Data on cells and half-facets needs nothing,
-/// since their numbers never change. Time: linear in the copies (amortised, as the vector grows),
-/// and sorting the merges.
+/// change.vertices_after; throws std::invalid_argument if it has another number of them, what the
+/// policy throws, and std::bad_alloc; `per_vertex` is unchanged then. Data on cells and half-facets
+/// needs nothing, since their numbers never change. Several arrays that shall follow together, by
+/// name: VertexProperties (properties.hpp). Time: linear in the copies (amortised, as the vector
+/// grows), and sorting the merges.
 template <class T, class Merging = merging::Equal>
 void carry_over(std::vector<T>& per_vertex, const Relabelling& change, const Merging& merge = {}) {
-  if (per_vertex.size() != change.vertices_before)
-    throw std::invalid_argument(std::to_string(per_vertex.size()) + " values are given for " +
-                                std::to_string(change.vertices_before) + " vertices");
-  std::vector<std::pair<VertexId, T>> merged;
-  detail::for_each_merged(change.merges, [&](std::span<const VertexId> vertices) {
-    merged.emplace_back(vertices[0], merge(std::as_const(per_vertex), vertices));
-  });
-  per_vertex.resize(change.vertices_after);
-  for (auto& [vertex, value] : merged) per_vertex[vertex.value] = std::move(value);
-  for (const Split& split : change.splits)
-    per_vertex[split.vertex.value] = per_vertex[split.parent.value];
+  detail::MergeGroups groups;
+  groups.fill(change.merges);
+  detail::Carrying<T> carrying;
+  carrying.prepare(per_vertex, change, groups, merge);
+  carrying.commit(per_vertex, change);
 }
 
 /// The merges whose two vertices have different values: nothing if data that must agree allows

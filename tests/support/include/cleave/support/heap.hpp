@@ -8,6 +8,9 @@ namespace cleave::support {
 /// Bytes held now.
 std::size_t heap_bytes();
 
+/// How often `new` has been called.
+std::size_t allocations();
+
 /// The most bytes held since the last call of forget_heap_peak.
 std::size_t heap_peak();
 void forget_heap_peak();
