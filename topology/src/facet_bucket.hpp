@@ -12,15 +12,22 @@
 
 namespace cleave::topology::detail {
 
-/// Puts two numbers in order and tells whether they were not. Without a branch: which of two
-/// vertices comes first is a coin's toss, and a processor that foresees it wrongly half the time
-/// loses more than all else here takes. (Compilers turn std::min and std::max back into branches.)
-template <class Number>
-Number put_in_order(Number& a, Number& b) {
-  const Number swap = b < a;
-  const Number difference = (a ^ b) & (Number{0} - swap);
-  a ^= difference;
-  b ^= difference;
+/// A vertex and its place in the tuple of a cell, in one number that is ordered by the vertex.
+using PlacedVertex = std::int64_t;
+inline constexpr int kPlaceBits = 3;
+inline PlacedVertex placed(VertexId vertex, std::size_t place) {
+  return static_cast<PlacedVertex>(std::uint64_t{vertex.value} << kPlaceBits | place);
+}
+inline Index vertex_of(PlacedVertex v) { return static_cast<Index>(v >> kPlaceBits); }
+inline Index place_of(PlacedVertex v) { return static_cast<Index>(v & ((1 << kPlaceBits) - 1)); }
+
+/// Puts two vertices in order; all ones if they were not, else 0. Without a branch: which of two
+/// comes first is the toss of a coin, and a processor that foresees half of them wrongly loses more
+/// than all else here takes. (Compilers make branches of std::min and std::max.)
+inline PlacedVertex put_in_order(PlacedVertex& a, PlacedVertex& b) {
+  const PlacedVertex difference = b - a, swap = difference >> 63;
+  a += difference & swap;
+  b -= difference & swap;
   return swap;
 }
 
@@ -38,68 +45,71 @@ class FacetBucket {
     entries_[0] = {};
   }
 
-  /// Adds the facets of `cell` with the bucket's least vertex: all but one if that is the least
-  /// vertex of the cell, one if it is the second least.
-  void add(CellId id, const Cell<D>& cell, bool reversed) {
-    constexpr int kLocalBits = 3;  // beside a vertex, its place in the tuple
-    static_assert(D < 1 << kLocalBits);
-    std::array<std::uint64_t, D + 1> v;
-    for (std::size_t i = 0; i <= D; ++i)
-      v[i] = static_cast<std::uint64_t>(cell[i].value) << kLocalBits | i;
-    std::uint64_t odd = reversed ? 1 : 0;
-    for (std::size_t end = D; end > 0; --end)
-      for (std::size_t i = 0; i < end; ++i) odd ^= put_in_order(v[i], v[i + 1]);
+  /// Adds the facets of a cell with the bucket's least vertex, which is at `corner`: all but one if
+  /// it is the least vertex of the cell, one if it is the second least.
+  void add(CornerId corner, const Cell<D>& cell, bool reversed) {
+    static_assert(D < 1 << kPlaceBits);
+    const auto place = static_cast<std::size_t>(local_index<D>(corner));
+    std::array<PlacedVertex, D + 1> v;
+    for (std::size_t i = 0; i <= D; ++i) v[i] = placed(cell[i], i);
+    v[place] = v[0];  // v[1] .. v[D]: the other vertices; with ours before them one swap away
+    PlacedVertex odd = -static_cast<PlacedVertex>(reversed != (place != 0));
+    for (std::size_t end = D; end > 1; --end)
+      for (std::size_t i = 1; i < end; ++i) odd ^= put_in_order(v[i], v[i + 1]);
+    for (std::size_t i = 1; i < D; ++i) least_difference_ |= (v[i] ^ v[i + 1]) - (1 << kPlaceBits);
 
-    // The facet opposite place p of the ascending tuple has the orientation odd * (-1)^p. The first
-    // facet here is the one without the first two places, but for the bucket's own vertex.
-    const std::uint64_t second = (v[1] >> kLocalBits) == least_ ? 1 : 0;
-    const std::uint64_t first_apex = v[1] ^ ((v[0] ^ v[1]) & (std::uint64_t{0} - second));
-    const auto set = [&](std::size_t p, std::uint64_t apex, std::uint64_t orientation) {
-      Entry& entry = entries_[size_ + p - 1];
-      entry.apex = (apex >> kLocalBits) << 1 | orientation;
-      entry.half_facet = half_facet<D>(id, static_cast<int>(apex & ((1 << kLocalBits) - 1))).value;
+    // Our vertex and the others but v[p], ascending, are the facet opposite v[p]; its induced
+    // orientation is odd * (-1)^p. If ours is the second least, only the first of them is here.
+    const Index first = corner.value - static_cast<Index>(place);
+    Entry* const entries = &entries_[size_] - 1;
+    for (std::size_t p = 1; p <= D; ++p) {
+      const auto orientation = static_cast<std::uint64_t>(p % 2 == 0 ? odd : ~odd) & kOrientation;
+      Entry& entry = entries[p];
+      entry.apex = static_cast<std::uint64_t>(v[p]) | orientation;
+      entry.half_facet = first + place_of(v[p]);
       entry.mate = kNone;
-      entry.key.fill(0);
+      entry.key = {};
       for (std::size_t i = 1, n = 0; i <= D; ++i)
         if (i != p) {
-          entry.key[n / kPerWord] =
-              entry.key[n / kPerWord] << (64 / kPerWord % 64) | v[i] >> kLocalBits;
-          ++n;
+          std::uint64_t& word = entry.key[n++ / kPerWord];
+          word = word << (64 / kPerWord % 64) | vertex_of(v[i]);
         }
-    };
-    set(1, first_apex, odd ^ 1 ^ second);
-    for (std::size_t p = 2; p <= D; ++p) set(p, v[p], odd ^ (p & 1));
-    for (std::size_t i = 0; i < D; ++i) faulty_ |= v[i] >> kLocalBits == v[i + 1] >> kLocalBits;
-    size_ += D - (D - 1) * static_cast<std::size_t>(second);
+    }
+    size_ += vertex_of(v[1]) < least_ ? 1 : D;
   }
 
   /// Matches the facets and writes their mates, kNone for those that are alone. Whether all is
   /// plain: no vertex twice in a cell, no facet in three cells, no cell twice, mates opposite.
   bool match(std::vector<HalfFacetId>& mates) {
     const int bits = static_cast<int>(std::bit_width(size_)) + 1;
-    const std::size_t slots = std::size_t{1} << bits;
-    if (slots_.size() < slots) slots_.resize(slots);
-    std::fill_n(slots_.begin(), slots, Index{0});
-    std::size_t patience = kPatience + size_;  // with facets that meet in a slot
-    for (Index n = 1; n < size_; ++n) {
-      Entry& entry = entries_[n];
+    const std::size_t mask = (std::size_t{1} << bits) - 1;
+    if (slots_.size() <= mask) slots_.resize(mask + 1);
+    Index* const slots = slots_.data();
+    std::fill_n(slots, mask + 1, Index{0});
+    Entry* const entries = entries_.data();
+    const auto size = static_cast<Index>(size_);
+    bool faulty = least_difference_ < 0;
+    std::size_t patience = kPatience + size;  // with facets that meet in a slot
+    for (Index n = 1; n < size; ++n) {
+      Entry& entry = entries[n];
       std::size_t slot = hash(entry.key, bits);
-      Index found = slots_[slot];  // 0: nothing, or an entry with the same key
-      while (found != 0 && entries_[found].key != entry.key) {
+      Index found = slots[slot];  // 0: nothing, or an entry with the same key
+      while (found != 0 && !same(entries[found].key, entry.key)) {
         if (patience-- == 0) return false;
-        slot = (slot + 1) & (slots - 1);
-        found = slots_[slot];
+        slot = (slot + 1) & mask;
+        found = slots[slot];
       }
-      Entry& other = entries_[found];
-      const std::uint64_t unlike = entry.apex ^ other.apex;
-      const bool fits = ((unlike & 1) != 0) & (unlike != 1) & (other.mate == kNone);
-      faulty_ |= !fits & (found != 0);
+      Entry& other = entries[found];
+      // Opposite orientations and different vertices.
+      const bool fit = (entry.apex ^ other.apex) >= kOrientation + (1 << kPlaceBits);
+      faulty |= (found != 0) & (!fit | (other.mate != kNone));
       entry.mate = other.half_facet;  // kNone in entry 0, whose own mate means nothing
       other.mate = entry.half_facet;
-      slots_[slot] = found | (n & (Index{0} - static_cast<Index>(found == 0)));
+      slots[slot] = found | (n & (Index{0} - static_cast<Index>(found == 0)));
     }
-    if (faulty_) return false;
-    for (std::size_t n = 1; n < size_; ++n) mates[entries_[n].half_facet].value = entries_[n].mate;
+    if (faulty) return false;
+    HalfFacetId* const to = mates.data();
+    for (Index n = 1; n < size; ++n) to[entries[n].half_facet].value = entries[n].mate;
     return true;
   }
 
@@ -107,14 +117,21 @@ class FacetBucket {
   static constexpr std::size_t kPerWord = sizeof(std::uint64_t) / sizeof(Index);
   static constexpr std::size_t kWords = D == 1 ? 1 : (D - 1 + kPerWord - 1) / kPerWord;
   static constexpr std::size_t kPatience = 64;
+  static constexpr std::uint64_t kOrientation = std::uint64_t{1} << 63;
   using Key = std::array<std::uint64_t, kWords>;  // the vertices but the least, ascending
 
   struct Entry {
     Key key;
-    std::uint64_t apex = 0;  // the opposite vertex; the last bit is the induced orientation
+    std::uint64_t apex = 0;  // a PlacedVertex; the first bit is the induced orientation
     Index half_facet = kNone;
     Index mate = kNone;
   };
+
+  static bool same(const Key& one, const Key& other) {  // operator== may call memcmp
+    std::uint64_t unlike = 0;
+    for (std::size_t w = 0; w < kWords; ++w) unlike |= one[w] ^ other[w];
+    return unlike == 0;
+  }
 
   static std::size_t hash(const Key& key, int bits) {
     std::uint64_t mixed = key[0];
@@ -125,8 +142,8 @@ class FacetBucket {
   std::vector<Entry> entries_;  // the first stands for no entry
   std::vector<Index> slots_;
   std::size_t size_ = 1;
-  std::uint64_t least_ = 0;
-  bool faulty_ = false;
+  Index least_ = 0;
+  PlacedVertex least_difference_ = 0;  // negative: a cell repeats a vertex
 };
 
 }  // namespace cleave::topology::detail

@@ -10,31 +10,32 @@
 
 #include "crew.hpp"
 #include "facet_bucket.hpp"
+#include "large_array.hpp"
 
 namespace cleave::topology::detail {
 
 /// The two least vertices of a cell, the least first.
 template <int D>
-std::pair<Index, Index> two_least(const Cell<D>& cell) {
-  Index least = cell[0].value, second = cell[1].value;
+std::pair<PlacedVertex, PlacedVertex> two_least(const Cell<D>& cell) {
+  PlacedVertex least = placed(cell[0], 0), second = placed(cell[1], 1);
   put_in_order(least, second);
   for (std::size_t i = 2; i <= D; ++i) {
-    Index other = cell[i].value;
+    PlacedVertex other = placed(cell[i], i);
     put_in_order(second, other);
     put_in_order(least, second);
   }
   return {least, second};
 }
 
-/// For each vertex, the cells of which it is the least or the second least: every facet of a cell
-/// has one of these two as its least vertex. 8 bytes per cell and 4 per vertex.
+/// For each vertex, its corners in cells of which it is the least or the second least: every facet
+/// of a cell has one of these two as its least vertex. 8 bytes per cell and 4 per vertex.
 template <int D>
-class CellBuckets {
+class CornerBuckets {
  public:
   /// None if a cell names a vertex that does not exist.
-  static std::optional<CellBuckets> of(std::span<const Cell<D>> cells, std::size_t vertex_count,
-                                       Crew& crew) {
-    CellBuckets buckets;
+  static std::optional<CornerBuckets> of(std::span<const Cell<D>> cells, std::size_t vertex_count,
+                                         Crew& crew) {
+    CornerBuckets buckets;
     const auto workers = static_cast<std::size_t>(crew.size());
     const auto block = [&](std::size_t worker) {
       const std::size_t begin = cells.size() * worker / workers;
@@ -55,25 +56,26 @@ class CellBuckets {
           return;
         }
         const auto [least, second] = two_least<D>(cell);
-        ++count[least];
-        ++count[second];
+        ++count[vertex_of(least)];
+        ++count[vertex_of(second)];
       }
     });
     if (!sound) return std::nullopt;
     Index next = 0;
     for (std::size_t v = 0; v < vertex_count; ++v)
       for (auto& end : ends) next += std::exchange(end[v], next);
-    buckets.cells_ = std::make_unique_for_overwrite<Index[]>(2 * cells.size() + kAhead);
-    std::fill_n(buckets.cells_.get() + 2 * cells.size(), kAhead, Index{0});
+    buckets.corners_ = std::make_unique_for_overwrite<Index[]>(2 * cells.size() + kAhead);
+    ask_for_large_pages(buckets.corners_.get(), 2 * cells.size() * sizeof(Index));
+    std::fill_n(buckets.corners_.get() + 2 * cells.size(), kAhead, Index{0});
     crew.on_each([&](int worker) {
       std::vector<Index>& end = ends[static_cast<std::size_t>(worker)];
       const auto mine = block(static_cast<std::size_t>(worker));
-      auto id = static_cast<Index>(mine.data() - cells.data());
+      auto first = static_cast<Index>((D + 1) * (mine.data() - cells.data()));
       for (const Cell<D>& cell : mine) {
         const auto [least, second] = two_least<D>(cell);
-        buckets.cells_[end[least]++] = id;
-        buckets.cells_[end[second]++] = id;
-        ++id;
+        buckets.corners_[end[vertex_of(least)]++] = first + place_of(least);
+        buckets.corners_[end[vertex_of(second)]++] = first + place_of(second);
+        first += D + 1;
       }
     });
     buckets.end_ = std::move(ends.back());
@@ -82,11 +84,11 @@ class CellBuckets {
 
   /// Bucket v is the places begin(v) .. begin(v + 1); kAhead more may be read after the last one.
   Index begin(std::size_t vertex) const { return vertex == 0 ? 0 : end_[vertex - 1]; }
-  CellId operator[](std::size_t place) const { return {cells_[place]}; }
+  CornerId operator[](std::size_t place) const { return {corners_[place]}; }
   static constexpr std::size_t kAhead = 24;
 
  private:
-  std::unique_ptr<Index[]> cells_;
+  std::unique_ptr<Index[]> corners_;
   std::vector<Index> end_;
 };
 
@@ -99,9 +101,9 @@ template <int D, class Reversed>
 std::optional<std::vector<HalfFacetId>> plain_mates(std::span<const Cell<D>> cells,
                                                     std::size_t vertex_count, Reversed reversed,
                                                     Crew& crew) {
-  const auto buckets = CellBuckets<D>::of(cells, vertex_count, crew);
+  const auto buckets = CornerBuckets<D>::of(cells, vertex_count, crew);
   if (!buckets) return std::nullopt;
-  std::vector<HalfFacetId> mates(cells.size() * (D + 1));
+  auto mates = large_array<HalfFacetId>(cells.size() * (D + 1));
   std::atomic<bool> plain = true;
   std::vector<FacetBucket<D>> facets(static_cast<std::size_t>(crew.size()));
   crew.share(vertex_count, [&](int worker, std::size_t begin, std::size_t end) {
@@ -110,10 +112,11 @@ std::optional<std::vector<HalfFacetId>> plain_mates(std::span<const Cell<D>> cel
       const std::size_t first = buckets->begin(v), last = buckets->begin(v + 1);
       bucket.begin(VertexId{static_cast<Index>(v)}, last - first);
       for (std::size_t n = first; n < last; ++n) {
-        const CellId later = (*buckets)[n + CellBuckets<D>::kAhead], cell = (*buckets)[n];
-        __builtin_prefetch(&cells[later.value]);
-        __builtin_prefetch(&mates[half_facet<D>(later, 0).value], 1);
-        bucket.add(cell, cells[cell.value], reversed(cell));
+        const CornerId later = (*buckets)[n + CornerBuckets<D>::kAhead], corner = (*buckets)[n];
+        __builtin_prefetch(&cells[cell_of<D>(later).value]);
+        __builtin_prefetch(&mates[later.value], 1);
+        const CellId cell = cell_of<D>(corner);
+        bucket.add(corner, cells[cell.value], reversed(cell));
       }
       if (!bucket.match(mates)) plain = false;
     }
