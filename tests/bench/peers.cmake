@@ -26,10 +26,21 @@ set(GMSH_FOUND OFF)
 if(GMSH_INCLUDE_DIR AND GMSH_LIBRARY)
   set(GMSH_FOUND ON)
 endif()
+find_package(PkgConfig QUIET)
+if(PkgConfig_FOUND)
+  pkg_check_modules(PETSC QUIET IMPORTED_TARGET PETSc)
+endif()
+find_package(MPI QUIET COMPONENTS CXX)
+set(PETSC_AND_MPI_FOUND OFF)
+if(PETSC_FOUND AND MPI_CXX_FOUND)
+  set(PETSC_AND_MPI_FOUND ON)
+endif()
 
-peer(CGAL CGAL_FOUND "peer_cgal_tds.cpp;peer_cgal_loader.cpp" CGAL::CGAL)
+peer(CGAL CGAL_FOUND
+  "peer_cgal_tds.cpp;peer_cgal_loader.cpp;peer_cgal_surface.cpp;peer_cgal_seams.cpp" CGAL::CGAL)
 peer(GUDHI GUDHI_INCLUDE_DIR peer_gudhi.cpp)
 peer(gmsh GMSH_FOUND peer_gmsh.cpp ${GMSH_LIBRARY})
+peer(PETSc PETSC_AND_MPI_FOUND peer_petsc.cpp PkgConfig::PETSC MPI::MPI_CXX)
 
 list(JOIN peers_missing ", " peers_missing)
 set_source_files_properties(peers_bench.cpp PROPERTIES
