@@ -7,6 +7,8 @@
 #include "bodies.hpp"
 #include "cleave/topology/assemble.hpp"
 #include "cleave/topology/complex.hpp"
+#include "cleave/topology/star_walker.hpp"
+#include "cleave/topology/vertex_index.hpp"
 #include "flat_checks.hpp"
 #include "peers.hpp"
 #include "peers_bench.hpp"
@@ -99,34 +101,87 @@ std::uint64_t visit_neighbours(const Complex<D>& k) {
 template <int D>
 std::uint64_t visit_stars(const Complex<D>& k) {
   std::uint64_t visits = 0;
+  topology::StarWalker walker(k);
   const auto vertices = static_cast<Index>(k.vertex_count());
-  for (Index v = 0; v < vertices; ++v) visits += star(k, {v}).size();
+  for (Index v = 0; v < vertices; ++v)
+    for (const auto corner : walker.around({v})) visits += corner.value != topology::kNoIndex;
   return visits;
 }
 
-/// Nanoseconds per visit for `ours` and `theirs`, which go from each cell to all its neighbours, or
-/// visit the cells of all stars. For the yardstick see traversal_bench.cpp.
-template <int D, class Ours, class Theirs>
-void traverse(benchmark::State& state, const MakeMesh<D>& make, Ours ours, Theirs theirs,
-              double visits_per_cell) {
-  const CellSoup<D>& soup = make();
-  const Complex<D> k = topology::assemble(CellSoup<D>(soup));
-  std::map<std::string, std::unique_ptr<PeerMesh>> peers;
+template <int D>
+std::uint64_t visit_stars(const topology::VertexIndex<D>& index) {
+  std::uint64_t visits = 0;
+  const auto vertices = static_cast<Index>(index.vertex_count());
+  for (Index v = 0; v < vertices; ++v)
+    for (const auto corner : index[{v}]) visits += corner.value != topology::kNoIndex;
+  return visits;
+}
+
+using Peers = std::map<std::string, std::unique_ptr<PeerMesh>>;
+
+/// The structures of those that can be walked through at this size.
+template <int D>
+Peers walkable(const CellSoup<D>& soup) {
+  Peers peers;
   for (const Assembler<D>& peer : assemblers<D>())
     if (soup.cells.size() <= peer.most_traversed) peers[peer.name] = peer.assemble(soup);
+  return peers;
+}
+
+void same_visits(const std::string& name, std::uint64_t visits, std::uint64_t expected) {
+  if (visits < expected) throw std::logic_error(name + " visits fewer cells");
+}
+
+/// Nanoseconds per cell to go from it to all its neighbours.
+template <int D>
+void neighbours(benchmark::State& state, const MakeMesh<D>& make) {
+  const CellSoup<D>& soup = make();
+  const Complex<D> k = topology::assemble(CellSoup<D>(soup));
+  const Peers peers = walkable<D>(soup);
   TimesOf times;
   for (auto _ : state) {
-    std::uint64_t expected = 0;
-    times["ours"].push_back(seconds([&] { expected = ours(k); }));
+    std::uint64_t expected = 0, visits = 0;
+    times["ours"].push_back(seconds([&] { expected = visit_neighbours(k); }));
     state.SetIterationTime(times["ours"].back());
     for (const auto& [name, peer] : peers) {
-      std::uint64_t visits = 0;
-      times[name].push_back(seconds([&] { visits = theirs(*peer); }));
-      if (visits < expected) throw std::logic_error(name + " visits fewer cells");
+      times[name].push_back(seconds([&, &p = *peer] { visits = p.visit_neighbours(); }));
+      same_visits(name, visits, expected);
     }
   }
-  const double items = visits_per_cell * static_cast<double>(soup.cells.size());
-  report(state, times, [&](double time) { return 1e9 * time / items; });
+  const auto cells = static_cast<double>(soup.cells.size());
+  report(state, times, [&](double time) { return 1e9 * time / cells; });
+}
+
+/// Nanoseconds per visit of a cell around a vertex. `ours` walks through the mates as the others
+/// do, `indexed` looks the corners up in a VertexIndex, which `index_made` makes.
+template <int D>
+void stars(benchmark::State& state, const MakeMesh<D>& make) {
+  const CellSoup<D>& soup = make();
+  const Complex<D> k = topology::assemble(CellSoup<D>(soup));
+  FlatMesh<D> flat = flat_mesh(soup);
+  flat.match();
+  const Peers peers = walkable<D>(soup);
+  TimesOf times;
+  const std::uint64_t expected = soup.cells.size() * (D + 1);
+  for (auto _ : state) {
+    std::uint64_t visits = 0;
+    topology::VertexIndex<D> index;
+    const auto time = [&](const std::string& name, auto visit) {
+      times[name].push_back(seconds([&] { visits = visit(); }));
+      same_visits(name, visits, expected);
+    };
+    time("ours", [&] { return visit_stars(k); });
+    state.SetIterationTime(times["ours"].back());
+    times["index_made"].push_back(seconds([&] { index = topology::VertexIndex<D>(k); }));
+    time("indexed", [&] { return visit_stars(index); });
+    time("flat", [&] {
+      std::uint64_t sum = 0;
+      for_each_star(flat, [&](std::uint32_t, const auto& star) { sum += star.size(); });
+      return sum;
+    });
+    for (const auto& [name, peer] : peers) time(name, [&, &p = *peer] { return p.visit_stars(); });
+  }
+  report(state, times, [&](double time) { return 1e9 * time / static_cast<double>(expected); });
 }
 
 template <int D>
@@ -139,16 +194,8 @@ void register_mesh(const std::string& name, const MakeMesh<D>& make, int iterati
         ->Unit(benchmark::kMillisecond);
   };
   with("assembly", [make](benchmark::State& state) { assembly<D>(state, make); });
-  with("neighbours", [make](benchmark::State& state) {
-    traverse<D>(
-        state, make, [](const Complex<D>& k) { return visit_neighbours(k); },
-        [](PeerMesh& peer) { return peer.visit_neighbours(); }, 1);
-  });
-  with("stars", [make](benchmark::State& state) {
-    traverse<D>(
-        state, make, [](const Complex<D>& k) { return visit_stars(k); },
-        [](PeerMesh& peer) { return peer.visit_stars(); }, D + 1);
-  });
+  with("neighbours", [make](benchmark::State& state) { neighbours<D>(state, make); });
+  with("stars", [make](benchmark::State& state) { stars<D>(state, make); });
   benchmark::RegisterBenchmark(("peers_memory" + dimension).c_str(), [make](
                                                                          benchmark::State& state) {
     memory<D>(state, make);
