@@ -129,11 +129,13 @@ TEST(Crew, SharesEachNumberOnceAndReportsProgress) {
     std::vector<int> times(100000, 0);
     for (const double until : {0.25, 1.0}) {
       crew.next_stage(until);
-      crew.share(times.size(), [&](int, std::size_t begin, std::size_t end) {
+      const auto count = [&](int, std::size_t begin, std::size_t end) {
         for (std::size_t n = begin; n < end; ++n) ++times[n];
-      });
+      };
+      crew.on_blocks(times.size(), 0, 0.5, count);
+      crew.share(times.size(), 0.5, count);
     }
-    EXPECT_EQ(std::count(times.begin(), times.end(), 2), 100000);
+    EXPECT_EQ(std::count(times.begin(), times.end(), 4), 100000);
     EXPECT_LE(told.size(), 250u);
     EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
     for (const double done : told) EXPECT_TRUE(0 <= done && done <= 1);

@@ -71,11 +71,14 @@ Regularized<D> build(CellSoup<D> soup, bool regularize, const RunOptions& option
   auto mates = detail::plain_mates<D>(
       soup.cells, soup.vertex_count, [&](CellId c) { return reversed[c.value]; }, crew);
   if (!mates) refuse(std::move(soup), reversed);
+  crew.end_stage();
 
+  crew.next_stage(1);
   auto [a_corner, surplus] = detail::star_pass<D>(soup.cells, *mates, soup.vertex_count);
   if (!surplus.empty() && !regularize) refuse(std::move(soup), reversed);
   require_ids_suffice(D, soup.cells.size(), soup.vertex_count + surplus.size());
   std::vector<Split> splits = split_parts<D>(soup.cells, *mates, surplus, a_corner);
+  crew.end_stage();
   return {detail::ComplexAccess<D>::make(std::move(soup.cells), std::move(*mates),
                                          std::move(reversed), std::move(a_corner)),
           std::move(splits)};

@@ -29,6 +29,9 @@ class Crew {
     until_ = until;
   }
 
+  /// Tells that this stage is done.
+  void end_stage() const { report(1, 1, 1, 1); }
+
   /// Calls work(worker) on each worker 0 .. size()-1; the calling thread is 0.
   template <class Work>
   void on_each(Work work) {
@@ -54,9 +57,9 @@ class Crew {
   }
 
   /// Calls work(worker, begin, end) for consecutive ranges that make up 0 .. count, each on the
-  /// worker that is free next. Reports progress after each range of the calling thread.
+  /// worker that is free next. Brings the stage from the fraction `from` to its end.
   template <class Work>
-  void share(std::size_t count, Work work) {
+  void share(std::size_t count, double from, Work work) {
     const std::size_t step = std::max(kLeastStep, count / kMostReports + 1);
     std::atomic<std::size_t> next = 0;
     on_each([&](int worker) {
@@ -65,18 +68,39 @@ class Crew {
         if (begin >= count) return;
         const std::size_t end = std::min(begin + step, count);
         work(worker, begin, end);
-        if (worker == 0) report(static_cast<double>(end) / static_cast<double>(count));
+        if (worker == 0) report(from, 1, end, count);
       }
     });
   }
 
-  /// Tells that `done`, from 0 to 1, of this stage is done. Only on the calling thread.
-  void report(double done) const {
-    if (progress_) progress_(from_ + done * (until_ - from_));
+  /// The same, but each worker has a block of its own, and the blocks come in the order of workers.
+  /// Brings the stage from one fraction to another.
+  template <class Work>
+  void on_blocks(std::size_t count, double from, double to, Work work) {
+    on_each([&](int worker) {
+      const auto edge = [&](int n) {
+        return count / static_cast<std::size_t>(size_) * static_cast<std::size_t>(n);
+      };
+      const std::size_t first = edge(worker), last = worker + 1 == size_ ? count : edge(worker + 1);
+      const std::size_t step = std::max(kLeastStep, (last - first) / kMostReports + 1);
+      for (std::size_t begin = first; begin < last && !stop_; begin += step) {
+        const std::size_t end = std::min(begin + step, last);
+        work(worker, begin, end);
+        if (worker == 0) report(from, to, end - first, last - first);
+      }
+    });
   }
 
  private:
-  static constexpr std::size_t kLeastStep = 1024, kMostReports = 100;
+  static constexpr std::size_t kLeastStep = 1024, kMostReports = 50;
+
+  /// Tells that `done` of `all` between two fractions of this stage are done. Only on the calling
+  /// thread.
+  void report(double from, double to, std::size_t done, std::size_t all) const {
+    if (!progress_) return;
+    const double share = from + (to - from) * static_cast<double>(done) / static_cast<double>(all);
+    progress_(from_ + share * (until_ - from_));
+  }
 
   int size_ = 1;
   std::function<void(double)> progress_;

@@ -35,20 +35,14 @@ class CornerBuckets {
   /// None if a cell names a vertex that does not exist.
   static std::optional<CornerBuckets> of(std::span<const Cell<D>> cells, std::size_t vertex_count,
                                          Crew& crew) {
-    CornerBuckets buckets;
-    const auto workers = static_cast<std::size_t>(crew.size());
-    const auto block = [&](std::size_t worker) {
-      const std::size_t begin = cells.size() * worker / workers;
-      return cells.subspan(begin, cells.size() * (worker + 1) / workers - begin);
-    };
-    // ends[w][v]: where the next cell of worker w goes in bucket v. Its blocks come in the order of
-    // workers, so that the buckets are the same for any number of them.
-    std::vector<std::vector<Index>> ends(workers);
+    // ends[w][v]: where the next corner that worker w finds goes in bucket v. The workers' blocks
+    // of cells come one after the other, so that the buckets are the same for any number of them.
+    std::vector<std::vector<Index>> ends(static_cast<std::size_t>(crew.size()));
     for (auto& end : ends) end.assign(vertex_count, 0);
     std::atomic<bool> sound = true;
-    crew.on_each([&](int worker) {
+    crew.on_blocks(cells.size(), 0, kCounted, [&](int worker, std::size_t begin, std::size_t end) {
       std::vector<Index>& count = ends[static_cast<std::size_t>(worker)];
-      for (const Cell<D>& cell : block(static_cast<std::size_t>(worker))) {
+      for (const Cell<D>& cell : cells.subspan(begin, end - begin)) {
         bool exist = true;
         for (const VertexId v : cell) exist &= v.value < vertex_count;
         if (!exist) {
@@ -64,20 +58,23 @@ class CornerBuckets {
     Index next = 0;
     for (std::size_t v = 0; v < vertex_count; ++v)
       for (auto& end : ends) next += std::exchange(end[v], next);
+
+    CornerBuckets buckets;
     buckets.corners_ = std::make_unique_for_overwrite<Index[]>(2 * cells.size() + kAhead);
     ask_for_large_pages(buckets.corners_.get(), 2 * cells.size() * sizeof(Index));
     std::fill_n(buckets.corners_.get() + 2 * cells.size(), kAhead, Index{0});
-    crew.on_each([&](int worker) {
-      std::vector<Index>& end = ends[static_cast<std::size_t>(worker)];
-      const auto mine = block(static_cast<std::size_t>(worker));
-      auto first = static_cast<Index>((D + 1) * (mine.data() - cells.data()));
-      for (const Cell<D>& cell : mine) {
+    Index* const corners = buckets.corners_.get();
+    const auto fill = [&](int worker, std::size_t begin, std::size_t end) {
+      std::vector<Index>& place = ends[static_cast<std::size_t>(worker)];
+      auto first = static_cast<Index>((D + 1) * begin);
+      for (const Cell<D>& cell : cells.subspan(begin, end - begin)) {
         const auto [least, second] = two_least<D>(cell);
-        buckets.corners_[end[vertex_of(least)]++] = first + place_of(least);
-        buckets.corners_[end[vertex_of(second)]++] = first + place_of(second);
+        corners[place[vertex_of(least)]++] = first + place_of(least);
+        corners[place[vertex_of(second)]++] = first + place_of(second);
         first += D + 1;
       }
-    });
+    };
+    crew.on_blocks(cells.size(), kCounted, kFilled, fill);
     buckets.end_ = std::move(ends.back());
     return buckets;
   }
@@ -86,6 +83,9 @@ class CornerBuckets {
   Index begin(std::size_t vertex) const { return vertex == 0 ? 0 : end_[vertex - 1]; }
   CornerId operator[](std::size_t place) const { return {corners_[place]}; }
   static constexpr std::size_t kAhead = 24;
+
+  /// The fractions of plain_mates' time that have passed when corners are counted, and in place.
+  static constexpr double kCounted = 0.1, kFilled = 0.25;
 
  private:
   std::unique_ptr<Index[]> corners_;
@@ -106,7 +106,8 @@ std::optional<std::vector<HalfFacetId>> plain_mates(std::span<const Cell<D>> cel
   auto mates = large_array<HalfFacetId>(cells.size() * (D + 1));
   std::atomic<bool> plain = true;
   std::vector<FacetBucket<D>> facets(static_cast<std::size_t>(crew.size()));
-  crew.share(vertex_count, [&](int worker, std::size_t begin, std::size_t end) {
+  constexpr double kFilled = CornerBuckets<D>::kFilled;
+  crew.share(vertex_count, kFilled, [&](int worker, std::size_t begin, std::size_t end) {
     FacetBucket<D>& bucket = facets[static_cast<std::size_t>(worker)];
     for (std::size_t v = begin; v < end && plain; ++v) {
       const std::size_t first = buckets->begin(v), last = buckets->begin(v + 1);
