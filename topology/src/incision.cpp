@@ -44,13 +44,6 @@ Incision<D>::Incision(Complex<D> original)
 }
 
 template <int D>
-VertexId Incision<D>::original(VertexId vertex) const {
-  return vertex.value < original_vertex_count_
-             ? vertex
-             : original_of_copy_[vertex.value - original_vertex_count_];
-}
-
-template <int D>
 std::vector<OpenedFacet> Incision<D>::opened() const {
   std::vector<OpenedFacet> opened;
   for (const HalfFacetId half_facet : opened_half_facets(complex_, original_vertex_count_)) {
@@ -103,11 +96,10 @@ template <int D>
 void Incision<D>::cut(const FacetSet& facets, Relabelling& change, Verify verify) {
   const auto& mates = Access<D>::mates(complex_);
   std::vector<HalfFacetId>& added = memory_.get().asked;
-  added.clear();
-  for (const HalfFacetId h : facets.half_facets()) {
+  detail::select(facets.half_facets(), mates, added, [&](HalfFacetId h) {
     if (h.value >= mates.size()) throw NotInterior(h);
-    if (!detail::former_mate(mates, h) && !shut_.contains(h)) added.push_back(h);
-  }
+    return !detail::former_mate(mates, h) && !shut_.contains(h);
+  });
   done_.make_room(added.size());
   score(added, change, verify);
   record(added, true);

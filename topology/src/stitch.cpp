@@ -6,19 +6,33 @@
 
 #include "cleave/topology/incision.hpp"
 #include "dimensions.hpp"
-#include "flood.hpp"
 #include "free_ids.hpp"
 #include "incision_memory.hpp"
 #include "make_room.hpp"
+#include "prefetch.hpp"
+#include "sort_ids.hpp"
 
 namespace cleave::topology {
 namespace {
+
+/// How many facets, classes or corners ahead memory is asked for.
+constexpr std::size_t kAhead = 8;
+
+/// Asks for what is known of both sides of the facet that comes `kAhead` after the n-th.
+template <int D>
+void prefetch_sides(std::span<const Cell<D>> cells, std::span<const detail::FacetMates> facets,
+                    std::size_t n) {
+  if (n + kAhead >= facets.size()) return;
+  detail::prefetch(cells.data() + cell_of<D>(facets[n + kAhead].lesser).value);
+  detail::prefetch(cells.data() + cell_of<D>(facets[n + kAhead].greater).value);
+}
 
 /// Fills `opened` with those of `facets` that an incision has opened.
 void find_opened(std::span<const HalfFacetId> facets, const std::vector<HalfFacetId>& mates,
                  std::vector<detail::FacetMates>& opened) {
   opened.clear();
-  for (const HalfFacetId h : facets) {
+  for (std::size_t n = 0; n < facets.size(); ++n) {
+    const HalfFacetId h = facets[n];
     if (h.value >= mates.size()) continue;
     if (const auto mate = detail::former_mate(mates, h); mate && h < *mate)
       opened.push_back({h, *mate});
@@ -34,8 +48,9 @@ void unite_across(const Incision<D>& incision, std::span<const detail::FacetMate
   const auto is_copy = [&](VertexId v) { return v.value >= incision.original_vertex_count(); };
   const auto node = [&](VertexId v) { return unions.node(v, [&] { return *k.a_corner(v); }); };
   unions.clear();
-  for (const detail::FacetMates& facet : facets) {
-    const Facet<D> one = k.facet(facet.lesser), other = k.facet(facet.greater);
+  for (std::size_t n = 0; n < facets.size(); ++n) {
+    prefetch_sides<D>(k.cells(), facets, n);
+    const Facet<D> one = k.facet(facets[n].lesser), other = k.facet(facets[n].greater);
     for (const VertexId v : one) {
       if (std::find(other.begin(), other.end(), v) != other.end()) continue;
       const VertexId original = incision.original(v);
@@ -71,7 +86,6 @@ class Stitching {
         mates_(Access::mates(k)),
         old_vertex_count_(static_cast<Index>(k.vertex_count())) {
     change.clear(old_vertex_count_);
-    memory.corners.clear();
     memory.others.clear();
   }
 
@@ -81,12 +95,10 @@ class Stitching {
     memory_.unions.list_merges(change_.merges);
     if (change_.merges.size() >= detail::kNone - old_vertex_count_)
       throw std::length_error("the stitch needs more vertices than ids can number");
-    for (Index n = 0; n < change_.merges.size(); ++n) find_class(n);
-    std::sort(memory_.corners.begin(), memory_.corners.end());
-    change_.corners.reserve(memory_.corners.size());
     for (const detail::FacetMates& facet : memory_.taken_back) detail::join(mates_, facet);
     joined_ = true;
-    find_others();
+    for (Index n = 0; n < change_.merges.size(); ++n) find_class(n);
+    list_corners();
     list_closed();
 
     // Nothing below throws.
@@ -100,7 +112,10 @@ class Stitching {
     if (joined_)
       for (const detail::FacetMates& facet : memory_.taken_back) detail::sever(mates_, facet);
     if (!renamed_) {
-      for (const CornerId corner : memory_.corners) vertex(corner) = before(vertex(corner));
+      for (std::size_t n = 0; n < reached_; ++n) {
+        VertexId& v = vertex(memory_.reached[n].corner);
+        v = before(v);
+      }
       return;
     }
     Access::resize_vertices(k_, old_vertex_count_);  // there is room for them still
@@ -117,15 +132,49 @@ class Stitching {
     return cells_[cell_of<D>(corner).value][static_cast<std::size_t>(local_index<D>(corner))];
   }
 
-  /// Floods the class that the n-th merge is about.
+  /// Floods the class that the n-th merge is about (Algorithm 5). A corner that was reached has
+  /// another vertex, so that one comparison tells where the vertex is in a cell and whether that is
+  /// new. What the loop uses are copies, which can stay in registers.
   void find_class(Index n) {
+    if (n + kAhead < change_.merges.size()) {
+      const CornerId corner = *k_.a_corner(change_.merges[n + kAhead].vertex);
+      detail::prefetch(cells_.data() + cell_of<D>(corner).value);
+      detail::prefetch(mates_.data() + corner.value);
+    }
+    Cell<D>* const cells = cells_.data();
+    const HalfFacetId* const mates = mates_.data();
     const VertexId gone = change_.merges[n].vertex, provisional{old_vertex_count_ + n};
-    detail::flood<D>(cells_, mates_, *k_.a_corner(gone), gone, memory_.corners,
-                     [&](CornerId corner) {
-                       // A visited corner is found no more by its old vertex.
-                       vertex(corner) = provisional;
-                       return true;
-                     });
+    const CornerId start = *k_.a_corner(gone);
+    std::size_t next = reached_;
+    reach(start, start);
+    vertex(start) = provisional;
+    for (; next < reached_; ++next) {
+      const auto [corner, through] = memory_.reached[next];
+      const HalfFacetId first = half_facet<D>(cell_of<D>(corner), 0);
+      for (HalfFacetId h = first; h.value <= first.value + D; ++h.value) {
+        if (h == corner || h == through) continue;
+        const HalfFacetId across = mates[h.value];
+        if (!detail::is_mate(across)) {
+          if (across.value != detail::kNone) memory_.others.push_back(h);
+          continue;
+        }
+        Cell<D>& cell = cells[cell_of<D>(across).value];
+        for (std::size_t i = 0; i <= D; ++i) {
+          if (cell[i] != gone) continue;
+          reach(half_facet<D>(cell_of<D>(across), static_cast<int>(i)), across);
+          cell[i] = provisional;
+          break;
+        }
+      }
+    }
+  }
+
+  /// Before the corner is marked, lest memory ends in between.
+  void reach(CornerId corner, HalfFacetId through) {
+    if (reached_ == memory_.reached.size())
+      memory_.reached.resize(std::max<std::size_t>(256, 2 * reached_));
+    memory_.reached[reached_++] = {corner, through};
+    detail::prefetch(mates_.data() + corner.value);
   }
 
   /// The vertex before and after the stitch of a corner whose vertex is `v` now, maybe provisional.
@@ -136,19 +185,12 @@ class Stitching {
     return v.value < old_vertex_count_ ? v : change_.merges[v.value - old_vertex_count_].into;
   }
 
-  /// Facets at a renamed corner that are open still: of all others, only these may close.
-  void find_others() {
-    CellId last{detail::kNone};
-    for (const CornerId corner : memory_.corners) {
-      const CellId cell = cell_of<D>(corner);
-      if (cell == last) continue;
-      last = cell;
-      for (int i = 0; i <= D; ++i) {
-        const auto h = half_facet<D>(cell, i);
-        if (const auto mate = detail::former_mate(mates_, h))
-          memory_.others.push_back({std::min(h, *mate), std::max(h, *mate)});
-      }
-    }
+  void list_corners() {
+    memory_.corners.clear();
+    memory_.corners.reserve(reached_);
+    for (std::size_t n = 0; n < reached_; ++n) memory_.corners.push_back(memory_.reached[n].corner);
+    detail::sort_ids(memory_.corners, memory_.spare);
+    change_.corners.reserve(reached_);
   }
 
   /// The least vertex that a facet has on both sides after the stitch, but not before; none if it
@@ -168,21 +210,23 @@ class Stitching {
 
   void list_closed() {
     change_.closed.reserve(memory_.taken_back.size() + memory_.others.size());
-    for (const detail::FacetMates& facet : memory_.taken_back)
+    for (std::size_t n = 0; n < memory_.taken_back.size(); ++n) {
+      prefetch_sides<D>(cells_, memory_.taken_back, n);
+      const detail::FacetMates& facet = memory_.taken_back[n];
       change_.closed.push_back({facet.lesser, facet.greater, joined_by(facet)});
+    }
 
-    const auto by_lesser = [](const auto& a, const auto& b) { return a.lesser < b.lesser; };
-    std::vector<detail::FacetMates>& others = memory_.others;
-    std::sort(others.begin(), others.end(), by_lesser);
+    std::vector<HalfFacetId>& others = memory_.others;
+    for (HalfFacetId& h : others) h = std::min(h, *detail::former_mate(mates_, h));
+    detail::sort_ids(others, memory_.spare);
+    others.erase(std::unique(others.begin(), others.end()), others.end());
     change_.shut.reserve(others.size());
-    HalfFacetId last{detail::kNone};
-    for (const detail::FacetMates& facet : others) {
-      if (facet.lesser == last) continue;
-      last = facet.lesser;
-      const VertexId by = joined_by(facet);
+    for (const HalfFacetId h : others) {
+      const HalfFacetId mate = *detail::former_mate(mates_, h);
+      const VertexId by = joined_by({h, mate});
       if (by.value == detail::kNone) continue;
-      change_.closed.push_back({facet.lesser, facet.greater, by});
-      change_.shut.push_back(facet.lesser);
+      change_.closed.push_back({h, mate, by});
+      change_.shut.push_back(h);
     }
     if (change_.shut.empty()) return;
     std::sort(
@@ -217,6 +261,7 @@ class Stitching {
   std::vector<Cell<D>>& cells_;
   std::vector<HalfFacetId>& mates_;
   const Index old_vertex_count_;
+  std::size_t reached_ = 0;                // corners of all classes
   bool joined_ = false, renamed_ = false;  // how far the run has come
 };
 
@@ -273,12 +318,11 @@ template <int D>
 void Incision<D>::stitch(const FacetSet& facets, Relabelling& change, Verify verify) {
   const auto& mates = detail::ComplexAccess<D>::mates(complex_);
   std::vector<HalfFacetId>& scored = memory_.get().asked;
-  scored.clear();
-  for (const HalfFacetId h : facets.half_facets()) {
-    if (h.value >= mates.size()) continue;
+  detail::select(facets.half_facets(), mates, scored, [&](HalfFacetId h) {
+    if (h.value >= mates.size()) return false;
     const auto mate = detail::former_mate(mates, h);
-    if (mate ? h < *mate : shut_.contains(h)) scored.push_back(h);
-  }
+    return mate ? h < *mate : shut_.contains(h);
+  });
   done_.make_room(scored.size());
   take_back(scored, change, verify);
   record(scored, false);

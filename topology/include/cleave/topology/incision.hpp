@@ -68,7 +68,11 @@ class Incision {
 
   /// The vertex of the original complex that `vertex`, one of complex(), is or is a copy of.
   /// Without meaning for an unused id.
-  VertexId original(VertexId vertex) const;
+  VertexId original(VertexId vertex) const {
+    return vertex.value < original_vertex_count_
+               ? vertex
+               : original_of_copy_[vertex.value - original_vertex_count_];
+  }
 
   /// The opened facets, ascending, each with its former mates; `by` is the least vertex of the
   /// original complex that separates them now. Time: linear in the stars of all copies, since each
