@@ -22,8 +22,8 @@ const CellSoup<3>& cube(const benchmark::State& state) {
 }
 
 std::vector<HalfFacetId> match(const CellSoup<3>& soup, int threads) {
-  detail::Crew crew(RunOptions{threads, {}});
-  auto mates = detail::plain_mates<3>(
+  topology::detail::Crew crew(RunOptions{threads, {}});
+  auto mates = topology::detail::plain_mates<3>(
       soup.cells, soup.vertex_count, [&](CellId c) { return soup.signs[c.value] < 0; }, crew);
   if (!mates) throw std::logic_error("the cube is not plain");
   return std::move(*mates);
