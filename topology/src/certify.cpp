@@ -4,11 +4,12 @@
 #include <array>
 #include <boost/pending/disjoint_sets.hpp>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "cleave/topology/cell_soup.hpp"
 #include "dimensions.hpp"
+#include "facet_matching.hpp"
+#include "star_labels.hpp"
 
 namespace cleave::topology {
 namespace {
@@ -20,89 +21,124 @@ VertexId at(std::span<const Cell<D>> cells, CornerId corner) {
   return cells[cell_of<D>(corner).value][static_cast<std::size_t>(local_index<D>(corner))];
 }
 
-/// All corners, sorted by their vertex.
+/// One more than the greatest number, if that is not much more than there are corners; otherwise
+/// the vertices are numbered anew, in `room`, to which `cells` then points.
 template <int D>
-std::vector<std::pair<VertexId, CornerId>> corners_by_vertex(std::span<const Cell<D>> cells) {
-  std::vector<std::pair<VertexId, CornerId>> by_vertex;
-  by_vertex.reserve(cells.size() * (D + 1));
-  for (Index c = 0; c < cells.size() * (D + 1); ++c)
-    by_vertex.emplace_back(at<D>(cells, CornerId{c}), CornerId{c});
-  std::sort(by_vertex.begin(), by_vertex.end());
-  return by_vertex;
+std::size_t bound_numbers(std::span<const Cell<D>>& cells, std::vector<Cell<D>>& room) {
+  std::size_t bound = 0;
+  for (const Cell<D>& cell : cells)
+    for (const VertexId v : cell) bound = std::max(bound, std::size_t{v.value} + 1);
+  if (bound <= cells.size() * (D + 1)) return bound;
+  std::vector<VertexId> numbers;
+  for (const Cell<D>& cell : cells) numbers.insert(numbers.end(), cell.begin(), cell.end());
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  room.assign(cells.begin(), cells.end());
+  for (Cell<D>& cell : room)
+    for (VertexId& v : cell)
+      v.value =
+          static_cast<Index>(std::lower_bound(numbers.begin(), numbers.end(), v) - numbers.begin());
+  cells = room;
+  return numbers.size();
 }
 
-/// Names two corners of one vertex of which `differ` holds, if there are any. Only neighbours in
-/// `by_vertex` are looked at, which is enough where "do not differ" is an equivalence.
-template <class Corners, class Differ>
-std::optional<Rejection> reject_if(Clause clause, const Corners& by_vertex, Differ differ) {
-  for (std::size_t n = 1; n < by_vertex.size(); ++n) {
-    const CornerId one = by_vertex[n - 1].second, other = by_vertex[n].second;
-    if (by_vertex[n - 1].first == by_vertex[n].first && differ(one, other))
-      return Rejection{clause, one, other};
-  }
+/// Two corners that share a vertex after, but did not before.
+template <int D>
+std::optional<Rejection> reject_parent(std::span<const Cell<D>> before,
+                                       std::span<const Cell<D>> after, std::size_t after_bound) {
+  std::vector<VertexId> parent_of(after_bound, VertexId{kNoIndex});
+  for (Index c = 0; c < after.size(); ++c)
+    for (int i = 0; i <= D; ++i) {
+      const CornerId corner = half_facet<D>(CellId{c}, i);
+      VertexId& parent = parent_of[at<D>(after, corner).value];
+      if (parent.value == kNoIndex) parent = at<D>(before, corner);
+      if (parent == at<D>(before, corner)) continue;
+      CornerId first{};
+      while (at<D>(after, first) != at<D>(after, corner)) ++first.value;
+      return Rejection{Clause::parent, first, corner};
+    }
   return std::nullopt;
 }
 
-struct MatePair {
-  HalfFacetId one, other;
-};
-
-/// The pairs of half-facets of `cells` with the same vertices, found by sorting them all.
+/// The mates of `before` that are not in the cut.
 template <int D>
-std::vector<MatePair> mates_by_sorting(std::span<const Cell<D>> cells) {
-  struct Entry {
-    Facet<D> facet;
-    HalfFacetId half_facet;
-  };
-  std::vector<Entry> entries;
-  entries.reserve(cells.size() * (D + 1));
-  for (Index c = 0; c < cells.size(); ++c)
-    for (int opposite = 0; opposite <= D; ++opposite) {
-      Entry entry{{}, half_facet<D>(CellId{c}, opposite)};
-      auto to = entry.facet.begin();
-      for (int i = 0; i <= D; ++i)
-        if (i != opposite) *to++ = cells[c][static_cast<std::size_t>(i)];
-      std::sort(entry.facet.begin(), entry.facet.end());
-      entries.push_back(entry);
-    }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.facet != b.facet ? a.facet < b.facet : a.half_facet < b.half_facet;
-  });
-  std::vector<MatePair> mates;
-  for (std::size_t n = 1; n < entries.size(); ++n)
-    if (entries[n - 1].facet == entries[n].facet)
-      mates.push_back({entries[n - 1].half_facet, entries[n].half_facet});
+std::vector<HalfFacetId> uncut_mates(std::span<const Cell<D>> before, std::size_t bound,
+                                     std::span<const HalfFacetId> cut) {
+  std::vector<HalfFacetId> mates = detail::match_facets<D>(before, bound).mates;
+  for (const HalfFacetId h : cut) {
+    if (h.value >= mates.size() || mates[h.value].value == kNoIndex) continue;
+    mates[mates[h.value].value].value = kNoIndex;
+    mates[h.value].value = kNoIndex;
+  }
   return mates;
 }
 
-/// The mates that are not in the cut.
-template <int D>
-std::vector<MatePair> uncut_mates(std::span<const Cell<D>> cells,
-                                  std::span<const HalfFacetId> cut) {
-  std::vector<HalfFacetId> sorted_cut(cut.begin(), cut.end());
-  std::sort(sorted_cut.begin(), sorted_cut.end());
-  const auto in_cut = [&](HalfFacetId h) {
-    return std::binary_search(sorted_cut.begin(), sorted_cut.end(), h);
-  };
-  std::vector<MatePair> mates = mates_by_sorting<D>(cells);
-  mates.erase(
-      std::remove_if(mates.begin(), mates.end(),
-                     [&](const MatePair& pair) { return in_cut(pair.one) || in_cut(pair.other); }),
-      mates.end());
-  return mates;
-}
-
-/// Calls visit(corner, corner) for the two corners at each vertex that the mates share before the
-/// cut.
+/// Calls visit(corner, corner) for the two corners at each vertex that mates h and m share.
 template <int D, class Visit>
-void for_shared_vertices(std::span<const Cell<D>> before, MatePair mates, Visit visit) {
+void for_shared_vertices(std::span<const Cell<D>> before, HalfFacetId h, HalfFacetId m,
+                         Visit visit) {
   for (int i = 0; i <= D; ++i)
     for (int j = 0; j <= D; ++j) {
-      const CornerId one = half_facet<D>(cell_of<D>(mates.one), i);
-      const CornerId other = half_facet<D>(cell_of<D>(mates.other), j);
-      if (one != mates.one && other != mates.other && at<D>(before, one) == at<D>(before, other))
-        visit(one, other);
+      const CornerId one = half_facet<D>(cell_of<D>(h), i);
+      const CornerId other = half_facet<D>(cell_of<D>(m), j);
+      if (one != h && other != m && at<D>(before, one) == at<D>(before, other)) visit(one, other);
     }
+}
+
+/// Two corners of mates that shared a vertex before, but do not after: one of their cells has
+/// changed.
+template <int D>
+std::optional<Rejection> reject_uncut(std::span<const Cell<D>> before,
+                                      const std::vector<HalfFacetId>& mates,
+                                      std::span<const Cell<D>> after) {
+  std::optional<Rejection> rejection;
+  for (Index c = 0; c < before.size() && !rejection; ++c) {
+    if (before[c] == after[c]) continue;
+    for (int i = 0; i <= D; ++i) {
+      const HalfFacetId h = half_facet<D>(CellId{c}, i);
+      if (mates[h.value].value == kNoIndex) continue;
+      for_shared_vertices<D>(before, h, mates[h.value], [&](CornerId one, CornerId other) {
+        if (at<D>(after, one) != at<D>(after, other))
+          rejection = Rejection{Clause::uncut, one, other};
+      });
+    }
+  }
+  return rejection;
+}
+
+/// Two corners that share a vertex after, but that no chain of uncut facets connects. Only vertices
+/// that the labels of their stars leave in doubt are looked at, with all classes of corners there.
+template <int D>
+std::optional<Rejection> reject_connected(std::span<const Cell<D>> before,
+                                          const std::vector<HalfFacetId>& mates,
+                                          std::span<const Cell<D>> after, std::size_t after_bound) {
+  std::vector<bool> in_doubt(after_bound, false);
+  {
+    detail::StarLabels<D> labels(after, mates, after_bound);
+    labels.label_all();
+    const std::vector<VertexId> suspects = labels.suspects();
+    if (suspects.empty()) return std::nullopt;
+    for (const VertexId v : suspects) in_doubt[v.value] = true;
+  }
+  std::vector<Index> rank(mates.size(), 0), parent(mates.size());
+  boost::disjoint_sets<Index*, Index*> classes(rank.data(), parent.data());
+  for (Index c = 0; c < mates.size(); ++c) classes.make_set(c);
+  for (Index h = 0; h < mates.size(); ++h) {
+    if (mates[h].value == kNoIndex || mates[h].value < h) continue;
+    for_shared_vertices<D>(before, HalfFacetId{h}, mates[h], [&](CornerId one, CornerId other) {
+      if (in_doubt[at<D>(after, one).value]) classes.union_set(one.value, other.value);
+    });
+  }
+  std::vector<CornerId> first(after_bound, CornerId{kNoIndex});
+  for (Index c = 0; c < mates.size(); ++c) {
+    const VertexId vertex = at<D>(after, CornerId{c});
+    if (!in_doubt[vertex.value]) continue;
+    CornerId& known = first[vertex.value];
+    if (known.value == kNoIndex) known = CornerId{c};
+    if (classes.find_set(known.value) != classes.find_set(c))
+      return Rejection{Clause::connected, known, CornerId{c}};
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -134,28 +170,13 @@ std::optional<Rejection> certify(std::span<const Cell<D>> before, std::span<cons
   if (before.size() != after.size()) return Rejection{Clause::cells};
   require_ids_suffice(D, before.size(), 0);
 
-  const auto by_vertex = corners_by_vertex<D>(after);
-  auto rejection = reject_if(Clause::parent, by_vertex, [&](CornerId one, CornerId other) {
-    return at<D>(before, one) != at<D>(before, other);
-  });
-  if (rejection) return rejection;
-
-  // The classes of corners that chains of uncut facets connect are what the last clause is about.
-  const std::vector<MatePair> mates = uncut_mates<D>(before, cut);
-  std::vector<Index> rank(by_vertex.size(), 0), parent(by_vertex.size());
-  boost::disjoint_sets<Index*, Index*> classes(rank.data(), parent.data());
-  for (Index c = 0; c < by_vertex.size(); ++c) classes.make_set(c);
-  for (const MatePair& pair : mates)
-    for_shared_vertices<D>(before, pair, [&](CornerId one, CornerId other) {
-      classes.union_set(one.value, other.value);
-      if (!rejection && at<D>(after, one) != at<D>(after, other))
-        rejection = Rejection{Clause::uncut, one, other};
-    });
-  if (rejection) return rejection;
-
-  return reject_if(Clause::connected, by_vertex, [&](CornerId one, CornerId other) {
-    return classes.find_set(one.value) != classes.find_set(other.value);
-  });
+  std::vector<Cell<D>> room_before, room_after;
+  const std::size_t before_bound = bound_numbers<D>(before, room_before);
+  const std::size_t after_bound = bound_numbers<D>(after, room_after);
+  if (auto rejection = reject_parent<D>(before, after, after_bound)) return rejection;
+  const std::vector<HalfFacetId> mates = uncut_mates<D>(before, before_bound, cut);
+  if (auto rejection = reject_uncut<D>(before, mates, after)) return rejection;
+  return reject_connected<D>(before, mates, after, after_bound);
 }
 
 #define CLEAVE_INSTANTIATE(D)                   \

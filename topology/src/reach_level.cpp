@@ -154,19 +154,24 @@ template <int D>
 FacetSet more_facets(const Incision<D>& incision, Level level) {
   using Access = detail::ComplexAccess<D>;
   const Complex<D>& k = incision.complex();
+  std::vector<CornerId> a_corner;
+  for (Index v = 0; v < k.vertex_count(); ++v)
+    a_corner.push_back(k.a_corner(VertexId{v}).value_or(CornerId{detail::kNone}));
   std::vector<Violation> found;
-  detail::find_pinched_simplices<D>(Access::cells(k), Access::mates(k), found);
+  detail::find_faults_beyond_stars<D>(Access::cells(k), Access::mates(k), a_corner, {}, level,
+                                      found);
   Round<D> round(incision);
+  bool pinched = false;
   for (const Violation& violation : found)
-    round.separate(std::get<PinchedSimplex>(violation).simplex);
-  if constexpr (D == 3) {
-    // Where no edge is pinched every link is a surface.
-    if (level == Level::manifold && found.empty()) {
-      detail::find_bad_links<D>(Access::cells(k), Access::mates(k), k.vertex_count(), {}, found);
+    if (const auto* fault = std::get_if<PinchedSimplex>(&violation)) {
+      round.separate(fault->simplex);
+      pinched = true;
+    }
+  // Where no edge is pinched every link is a surface.
+  if constexpr (D == 3)
+    if (!pinched)
       for (const Violation& violation : found)
         round.divide_into_disks(std::get<BadVertexLink>(violation).vertex);
-    }
-  }
   return round.found();
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <bitset>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -9,89 +8,10 @@
 
 #include "cleave/topology/violation.hpp"
 #include "corner_set.hpp"
+#include "doubtful_links.hpp"
 #include "flood.hpp"
 
 namespace cleave::topology::detail {
-
-/// A face of a cell: the cell and which of its local vertices belong to the face.
-struct CellFace {
-  CellId cell;
-  std::uint32_t mask;
-};
-
-/// The local vertices of `other` that the face has; its cells share a facet that contains it.
-template <int D>
-std::uint32_t mask_in(std::span<const Cell<D>> cells, CellFace face, CellId other) {
-  std::uint32_t mask = 0;
-  for (std::size_t i = 0; i <= static_cast<std::size_t>(D); ++i) {
-    if ((face.mask >> i & 1u) == 0) continue;
-    const VertexId v = cells[face.cell.value][i];
-    for (std::size_t j = 0; j <= static_cast<std::size_t>(D); ++j)
-      if (cells[other.value][j] == v) mask |= 1u << j;
-  }
-  return mask;
-}
-
-/// Simplices of dimension 1 .. D-2 whose cells fall into several facet-connected parts, by
-/// dimension, then lexicographically. Returns the vertices of such simplices, with repetitions.
-/// Time: linear, and sorting one entry per part; memory: 2^(D+1) bits per cell.
-template <int D>
-std::vector<VertexId> find_pinched_simplices(std::span<const Cell<D>> cells,
-                                             const std::vector<HalfFacetId>& mates,
-                                             std::vector<Violation>& found) {
-  std::vector<VertexId> vertices;
-  for (std::size_t size = 2; size + 1 <= static_cast<std::size_t>(D); ++size) {
-    struct Part {
-      std::array<VertexId, static_cast<std::size_t>(D)> simplex;
-      CellId least;
-    };
-    std::vector<Part> parts;
-    std::vector<std::bitset<(std::size_t{1} << (D + 1))>> seen(cells.size());
-    std::vector<CellFace> queue;
-    for (Index c = 0; c < cells.size(); ++c) {
-      for (std::uint32_t mask = 0; mask < 1u << (D + 1); ++mask) {
-        if (std::bitset<D + 1>(mask).count() != size || seen[c][mask]) continue;
-        Part part{{}, CellId{c}};
-        for (std::size_t i = 0, to = 0; i <= static_cast<std::size_t>(D); ++i)
-          if (mask >> i & 1u) part.simplex[to++] = cells[c][i];
-        std::sort(part.simplex.begin(), part.simplex.begin() + static_cast<std::ptrdiff_t>(size));
-        parts.push_back(part);
-        seen[c].set(mask);
-        queue.assign(1, CellFace{CellId{c}, mask});
-        for (std::size_t next = 0; next < queue.size(); ++next) {
-          const CellFace face = queue[next];
-          for (int i = 0; i <= D; ++i) {
-            if (face.mask >> i & 1u) continue;  // this facet does not contain the face
-            const HalfFacetId mate = mates[half_facet<D>(face.cell, i).value];
-            if (!is_mate(mate)) continue;
-            const CellId across = cell_of<D>(mate);
-            const std::uint32_t there = mask_in<D>(cells, face, across);
-            if (seen[across.value][there]) continue;
-            seen[across.value].set(there);
-            queue.push_back({across, there});
-          }
-        }
-      }
-    }
-    std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
-      return a.simplex != b.simplex ? a.simplex < b.simplex : a.least < b.least;
-    });
-    for (auto first = parts.begin(); first != parts.end();) {
-      auto last = first + 1;
-      while (last != parts.end() && last->simplex == first->simplex) ++last;
-      if (last - first > 1) {
-        const auto end = first->simplex.begin() + static_cast<std::ptrdiff_t>(size);
-        found.push_back(PinchedSimplex{{first->simplex.begin(), end},
-                                       first->least,
-                                       (first + 1)->least,
-                                       static_cast<std::size_t>(last - first)});
-        vertices.insert(vertices.end(), first->simplex.begin(), end);
-      }
-      first = last;
-    }
-  }
-  return vertices;
-}
 
 /// Counts the link of a vertex of a 3-complex, a surface: corners, then edges, then triangles of
 /// the star seen from the vertex.
@@ -143,33 +63,54 @@ inline LinkCount count_link(std::span<const Cell<3>> cells, const std::vector<Ha
       static_cast<int>(roots.size())};
 }
 
-/// Vertices of a 3-complex, other than those in `known_bad` (ascending), whose link is neither a
-/// sphere (Euler characteristic 2, closed) nor a disk (1, one rim). In dimension 1 and 2 a vertex
-/// that is cut-regular has such a link always; in dimension 4 this is not decided.
+/// Those of `vertices` of a 3-complex, other than those in `known_bad` (both ascending), whose link
+/// is neither a sphere (Euler characteristic 2, closed) nor a disk (1, one rim). Requires that
+/// their stars are one part each.
+inline void find_bad_links(std::span<const Cell<3>> cells, const std::vector<HalfFacetId>& mates,
+                           const std::vector<CornerId>& a_corner,
+                           const std::vector<VertexId>& vertices,
+                           const std::vector<VertexId>& known_bad, std::vector<Violation>& found) {
+  std::vector<CornerId> star;
+  CornerSet seen;
+  for (const VertexId vertex : vertices) {
+    if (std::binary_search(known_bad.begin(), known_bad.end(), vertex)) continue;
+    seen.clear();
+    star.clear();
+    flood<3>(cells, mates, a_corner[vertex.value], vertex, star,
+             [&](CornerId corner) { return seen.insert(corner); });
+    const LinkCount link = count_link(cells, mates, star, vertex);
+    const bool sphere = link.euler_characteristic == 2 && link.boundary_components == 0;
+    const bool disk = link.euler_characteristic == 1 && link.boundary_components == 1;
+    if (!sphere && !disk)
+      found.push_back(BadVertexLink{vertex, link.euler_characteristic, link.boundary_components});
+  }
+}
+
+/// What `level` asks for beyond cut-regular: no pinched simplex from edge_regular on, and links
+/// that are spheres or balls for a manifold. Adds what is wrong to `found`. In dimension 1 and 2 a
+/// vertex that is cut-regular has such a link always; in dimension 4 that is not decided.
+/// `a_corner` and `irregular` as star_pass found them.
 template <int D>
-void find_bad_links(std::span<const Cell<D>> cells, const std::vector<HalfFacetId>& mates,
-                    std::size_t vertex_count, const std::vector<VertexId>& known_bad,
-                    std::vector<Violation>& found) {
+void find_faults_beyond_stars(std::span<const Cell<D>> cells, const std::vector<HalfFacetId>& mates,
+                              const std::vector<CornerId>& a_corner,
+                              std::vector<VertexId> irregular, Level level,
+                              std::vector<Violation>& found) {
+  if (level < Level::edge_regular) return;
   if constexpr (D == 3) {
-    std::vector<CornerId> a_corner(vertex_count, CornerId{kNone});
-    for (Index c = 0; c < mates.size(); ++c) a_corner[cells[c / 4][c % 4].value].value = c;
-    std::vector<CornerId> star;
-    CornerSet seen;
-    for (Index v = 0; v < vertex_count; ++v) {
-      const VertexId vertex{v};
-      if (a_corner[v].value == kNone ||
-          std::binary_search(known_bad.begin(), known_bad.end(), vertex))
-        continue;
-      seen.clear();
-      star.clear();
-      flood<3>(cells, mates, a_corner[v], vertex, star,
-               [&](CornerId corner) { return seen.insert(corner); });
-      const LinkCount link = count_link(cells, mates, star, vertex);
-      const bool sphere = link.euler_characteristic == 2 && link.boundary_components == 0;
-      const bool disk = link.euler_characteristic == 1 && link.boundary_components == 1;
-      if (!sphere && !disk)
-        found.push_back(BadVertexLink{vertex, link.euler_characteristic, link.boundary_components});
-    }
+    const std::vector<VertexId> doubtful = doubtful_links(cells, mates, a_corner, irregular);
+    if (doubtful.empty()) return;
+    std::vector<bool> asked(a_corner.size(), false);
+    for (const VertexId v : doubtful) asked[v.value] = true;
+    // Both ends of a pinched edge are in doubt.
+    const std::vector<VertexId> pinched = find_pinched_simplices<D>(
+        cells, mates, a_corner.size(), [&](VertexId v) { return asked[v.value]; }, found);
+    if (level < Level::manifold) return;
+    irregular.insert(irregular.end(), pinched.begin(), pinched.end());
+    std::sort(irregular.begin(), irregular.end());
+    find_bad_links(cells, mates, a_corner, doubtful, irregular, found);
+  } else if constexpr (D > 3) {
+    find_pinched_simplices<D>(
+        cells, mates, a_corner.size(), [](VertexId) { return true; }, found);
   }
 }
 

@@ -12,8 +12,10 @@ namespace cleave::topology {
 /// Later kinds are looked for only where they have a meaning: orientation and stars once cells are
 /// sound (no degenerate cell, no vertex out of range), and no facet is in three cells.
 /// At most one NonOrientable is reported per piece. Throws std::length_error (too many cells),
-/// std::invalid_argument (signs that are not one per cell, each +1 or -1). Time: linear up to
-/// cut_regular; edge_regular and manifold sort the edges around each vertex.
+/// std::invalid_argument (signs that are not one per cell, each +1 or -1). Time: linear; for D = 4
+/// edge_regular sorts the edges and triangles around each vertex, and so it is for D = 3 around
+/// vertices that are in doubt. Memory beyond the soup, D = 3, where nothing is wrong and the cells
+/// are in mesh order: 25 bytes per cell.
 template <int D>
 std::vector<Violation> check(const CellView<D>& soup, Level level = Level::manifold);
 template <int D>

@@ -55,9 +55,7 @@ class Complex {
   }
 
   VertexId vertex(CornerId corner) const {
-    static_assert(sizeof(Cell<D>) == (D + 1) * sizeof(VertexId));
-    assert(corner.value < mates_.size());
-    return reinterpret_cast<const VertexId*>(cells_.data())[corner.value];  // without a division
+    return vertices(cell_of<D>(corner))[static_cast<std::size_t>(local_index<D>(corner))];
   }
 
   /// The same facet seen from the other cell; none on the boundary. mate(*mate(h)) == h.
