@@ -17,7 +17,6 @@ using topology::Complex;
 using topology::Facet;
 using topology::FacetSet;
 using topology::Index;
-using topology::Relabelling;
 using topology::Verify;
 using topology::VertexId;
 
