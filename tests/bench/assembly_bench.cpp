@@ -35,7 +35,7 @@ Order order_of(const benchmark::State& state) {
   return state.range(1) == 0 ? Order::mesh : Order::random;
 }
 
-/// Mates and signs from tuples: the public `orient`.
+/// Mates from tuples, and signs that make them coherent: the public `orient`.
 void orient_cells(benchmark::State& state) {
   const CellSoup<3>& soup = cube(static_cast<int>(state.range(0)), order_of(state));
   const auto tets = static_cast<double>(soup.cells.size());

@@ -88,6 +88,13 @@ FlatMesh<D> flat_mesh(const topology::CellSoup<D>& soup) {
   return flat_mesh<D>(soup.cells, soup.vertex_count, soup.signs);
 }
 
+template <int D>
+FlatMesh<D> matched_flat_mesh(const topology::CellSoup<D>& soup) {
+  FlatMesh<D> flat = flat_mesh(soup);
+  if (!flat.match()) throw std::logic_error("the yardstick finds the cells not coherent");
+  return flat;
+}
+
 /// What was made last by `make(key..)`, so that benchmarks in a row make it once. One of each kind
 /// of key is kept.
 template <class Value, class Key, class Make>
@@ -112,8 +119,7 @@ template <int D>
 const Body<D>& body(int cubes, Order order = Order::mesh) {
   return last_made<Body<D>>(std::pair(cubes, order), [&] {
     topology::CellSoup<D> soup = kuhn_soup<D>(cubes, order);
-    FlatMesh<D> flat = flat_mesh(soup);
-    if (!flat.match()) throw std::logic_error("the yardstick finds the cells not coherent");
+    FlatMesh<D> flat = matched_flat_mesh(soup);
     return Body<D>{cubes, topology::assemble(std::move(soup)), std::move(flat)};
   });
 }

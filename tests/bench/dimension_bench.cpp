@@ -8,8 +8,11 @@
 
 #include "bodies.hpp"
 #include "cleave/topology/incision.hpp"
+#include "cleave/topology/ranges.hpp"
+#include "cleave/topology/star_walker.hpp"
 #include "cleave/topology/unglue.hpp"
 #include "figure.hpp"
+#include "flat_checks.hpp"
 #include "patches.hpp"
 
 /// D = 1, 2 and 4 beside D = 3: nanoseconds per corner on grids of about eight million corners.
@@ -50,6 +53,14 @@ struct Assembly {
     const double time = seconds([&] { k = assemble(std::move(input)); });
     return {time, k.half_facet_count()};
   }
+  FlatMesh<D> flat = flat_mesh(soup);
+  double flat_seconds() {
+    flat.mates = {};
+    bool good = false;
+    const double time = seconds([&] { good = flat.match() && is_cut_regular(flat); });
+    if (!good) throw std::logic_error("the grid is a manifold");
+    return time;
+  }
 };
 
 template <int D>
@@ -71,15 +82,20 @@ struct Stars {
   Cost measure() {
     std::size_t corners = 0;
     const double time = seconds([&] {
-      for (Index v = 0; v < k.vertex_count(); ++v) corners += star(k, VertexId{v}).size();
+      StarWalker walker(k);
+      for (const VertexId v : vertices(k)) corners += walker.around(v).size();
     });
     return {time, corners};
+  }
+  FlatMesh<D> flat = matched_flat_mesh(kuhn_soup<D>(kCubes<D>));
+  double flat_seconds() {
+    return seconds([&] { benchmark::DoNotOptimize(is_cut_regular(flat)); });
   }
 };
 
 template <int D>
 struct Cut {
-  Body<D> whole{kCubes<D>, assemble(kuhn_soup<D>(kCubes<D>)), {}};
+  const Body<D>& whole = body<D>(kCubes<D>);
   FacetSet facets = patches(whole, kFacets<D>);
   std::size_t corners = corners_around(whole, facets);
 };
@@ -91,6 +107,11 @@ struct Unglue : Cut<D> {
   Cost measure() {
     k = this->whole.complex;
     return {seconds([&] { unglue(k, this->facets, Verify::none); }), this->corners};
+  }
+  FlatMesh<D> flat;
+  double flat_seconds() {
+    flat = this->whole.flat;
+    return seconds([&] { flat.unglue(numbers(this->facets.half_facets())); });
   }
 };
 
@@ -120,18 +141,22 @@ template <template <int> class Work, int D>
 void beside_tetrahedra(benchmark::State& state) {
   Work<D> work;
   Work<3> tetrahedra;
-  Turns turns;
+  Turns turns, beside_flat;
   std::size_t corners = 0;
   for (auto _ : state) {
     const Cost cost = work.measure();
     turns.ours.push_back(cost.per_corner());
     turns.flat.push_back(tetrahedra.measure().per_corner());
+    if constexpr (requires { work.flat_seconds(); })
+      beside_flat.flat.push_back(work.flat_seconds() / static_cast<double>(cost.corners));
     corners = cost.corners;
     state.SetIterationTime(cost.seconds);
   }
+  beside_flat.ours = turns.ours;
   state.counters["ns/corner"] = 1e9 * median(turns.ours);
   state.counters["D3"] = 1e9 * median(turns.flat);
-  state.counters["ratio"] = turns.ratio();
+  state.counters["per_D3"] = turns.ratio();
+  if (!beside_flat.flat.empty()) state.counters["ratio"] = beside_flat.ratio();
   state.counters["corners"] = static_cast<double>(corners);
 }
 

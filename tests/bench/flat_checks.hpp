@@ -41,6 +41,21 @@ void for_each_star(const FlatMesh<D>& mesh, Visit visit) {
   }
 }
 
+/// The corners of each vertex in one array: of vertex v from start[v] on.
+struct FlatIndex {
+  FlatIndex() = default;
+  explicit FlatIndex(const FlatMesh<3>& mesh)
+      : start(mesh.vertices + 2, 0), corners(4 * mesh.cells.size()) {
+    for (const auto& cell : mesh.cells)
+      for (const std::uint32_t v : cell) ++start[v + 2];
+    for (std::uint32_t v = 0; v < mesh.vertices; ++v) start[v + 2] += start[v + 1];
+    std::uint32_t corner = 0;
+    for (const auto& cell : mesh.cells)
+      for (const std::uint32_t v : cell) corners[start[v + 1]++] = corner++;
+  }
+  std::vector<std::uint32_t> start, corners;
+};
+
 /// Whether every star is one part.
 template <int D>
 bool is_cut_regular(const FlatMesh<D>& mesh) {

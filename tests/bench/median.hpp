@@ -5,31 +5,18 @@
 
 namespace cleave::bench {
 
-namespace detail {
+/// The processor time that `work` takes on this thread, in seconds: what else runs on the machine
+/// counts only as far as it disturbs the caches.
 template <class Work>
-double seconds_by(clockid_t clock, Work& work) {
-  const auto now = [&] {
+double seconds(Work work) {
+  const auto now = [] {
     std::timespec time{};
-    clock_gettime(clock, &time);
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
   };
   const double start = now();
   work();
   return now() - start;
-}
-}  // namespace detail
-
-/// The processor time that `work` takes on this thread, in seconds: what else runs on the machine
-/// counts only as far as it disturbs the caches.
-template <class Work>
-double seconds(Work work) {
-  return detail::seconds_by(CLOCK_THREAD_CPUTIME_ID, work);
-}
-
-/// The time on the clock that `work` takes, in seconds: for work on several threads.
-template <class Work>
-double wall_seconds(Work work) {
-  return detail::seconds_by(CLOCK_MONOTONIC, work);
 }
 
 /// The upper median. Requires at least one value.

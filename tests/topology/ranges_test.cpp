@@ -115,12 +115,29 @@ void expect_neighbours_by_definition(const Complex<D>& k) {
   }
 }
 
+/// The corners at `vertex` in the order of Algorithm 5: first come, first served.
+template <int D>
+std::vector<CornerId> flooded(const Complex<D>& k, VertexId vertex) {
+  std::vector<CornerId> reached;
+  if (const auto start = k.a_corner(vertex)) reached.push_back(*start);
+  for (std::size_t next = 0; next < reached.size(); ++next)
+    for (const HalfFacetId h : half_facets(k, cell_of<D>(reached[next]))) {
+      const auto mate = k.mate(h);
+      if (h == reached[next] || !mate) continue;
+      for (const CornerId corner : corners(k, cell_of<D>(*mate)))
+        if (k.vertex(corner) == vertex && std::ranges::count(reached, corner) == 0)
+          reached.push_back(corner);
+    }
+  return reached;
+}
+
 template <int D>
 void expect_stars_and_links_by_definition(const Complex<D>& k) {
   const auto expected = support::stars_of<D>(k.cells());
   StarWalker walker(k);
   for (const VertexId v : vertices(k)) {
     const auto corners = walker.around(v);
+    EXPECT_EQ(listed(corners), flooded(k, v));
     EXPECT_EQ(listed(corners), star(k, v));
     std::set<std::size_t> reached;
     for (const CornerId corner : corners) {

@@ -4,8 +4,7 @@
 #include <string>
 
 #include "cleave/topology/cell_soup.hpp"
-#include "corner_set.hpp"
-#include "flood.hpp"
+#include "cleave/topology/star_walker.hpp"
 
 namespace cleave::topology {
 
@@ -15,21 +14,16 @@ void require_ids_suffice(int dimension, std::size_t cells, std::size_t vertices)
     throw std::length_error(std::to_string(cells) + " cells of dimension " +
                             std::to_string(dimension) + " have more corners than " +
                             std::to_string(kIdBits) + "-bit ids can number");
-  if (vertices >= detail::kNone)
+  if (vertices >= kNoIndex)
     throw std::length_error(std::to_string(vertices) + " vertices are more than " +
                             std::to_string(kIdBits) + "-bit ids can number");
 }
 
 template <int D>
 std::vector<CornerId> star(const Complex<D>& k, VertexId vertex) {
-  std::vector<CornerId> corners;
-  const auto start = k.a_corner(vertex);
-  if (!start) return corners;
-  using Access = detail::ComplexAccess<D>;
-  detail::CornerSet seen;
-  detail::flood<D>(Access::cells(k), Access::mates(k), *start, vertex, corners,
-                   [&](CornerId corner) { return seen.insert(corner); });
-  return corners;
+  StarWalker<D> walker(k);
+  const auto corners = walker.around(vertex);
+  return {corners.begin(), corners.end()};
 }
 
 template std::vector<CornerId> star<1>(const Complex<1>&, VertexId);

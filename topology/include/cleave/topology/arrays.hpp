@@ -27,28 +27,33 @@ concept IndexLike = std::integral<Number> && std::same_as<std::make_unsigned_t<N
 
 namespace detail {
 
-template <class Array>
-struct NumberOf {
-  using Type = Array;
+/// The numbers that a value of an array is made of: itself, or those of a tuple.
+template <class Value>
+struct NumbersOf {
+  using Number = Value;
+  static constexpr std::size_t kCount = 1;
 };
-template <class Number, std::size_t N>
-struct NumberOf<std::array<Number, N>> : NumberOf<Number> {};
-template <class Number, std::size_t N>
-struct NumberOf<Number[N]> : NumberOf<Number> {};
+template <class Value, std::size_t N>
+struct NumbersOf<std::array<Value, N>> {
+  using Number = typename NumbersOf<Value>::Number;
+  static constexpr std::size_t kCount = N * NumbersOf<Value>::kCount;
+};
+template <class Value, std::size_t N>
+struct NumbersOf<Value[N]> : NumbersOf<std::array<Value, N>> {};
 
 template <class T>
 inline constexpr bool kLooksLikeNumbers =
     std::is_standard_layout_v<T>&& std::is_trivially_copyable_v<T> && alignof(T) == alignof(Index);
 
-/// `count` numbers from `numbers` on, as tuples of type T.
+/// `count` numbers from `numbers` on, as ids or tuples of ids.
 template <class T>
 std::span<const T> as_tuples(const void* numbers, std::size_t count) {
-  static_assert(kLooksLikeNumbers<T> && sizeof(T) % sizeof(Index) == 0);
-  constexpr std::size_t size = sizeof(T) / sizeof(Index);
-  if (count % size != 0)
+  constexpr std::size_t each = NumbersOf<T>::kCount;
+  static_assert(kLooksLikeNumbers<T> && sizeof(T) == each * sizeof(Index));
+  if (count % each != 0)
     throw std::invalid_argument(std::to_string(count) + " numbers are no tuples of " +
-                                std::to_string(size));
-  return {static_cast<const T*>(numbers), count / size};
+                                std::to_string(each));
+  return {static_cast<const T*>(numbers), count / each};
 }
 
 }  // namespace detail
@@ -58,13 +63,12 @@ std::span<const T> as_tuples(const void* numbers, std::size_t count) {
 /// std::span(matrix.data(), matrix.size()), if it holds one tuple after the other.
 template <class Array>
 concept ArrayOfNumbers = std::ranges::contiguous_range<Array> && std::ranges::sized_range<Array> &&
-    IndexLike<typename detail::NumberOf<std::ranges::range_value_t<Array>>::Type>;
+    IndexLike<typename detail::NumbersOf<std::ranges::range_value_t<Array>>::Number>;
 
 /// The numbers as ids of type AnId: half-facets of a cut, vertices of a set.
 template <class AnId, ArrayOfNumbers Array>
 std::span<const AnId> as_ids(const Array& array) {
-  static_assert(sizeof(AnId) == sizeof(Index));
-  constexpr std::size_t each = sizeof(std::ranges::range_value_t<Array>) / sizeof(Index);
+  constexpr std::size_t each = detail::NumbersOf<std::ranges::range_value_t<Array>>::kCount;
   return detail::as_tuples<AnId>(std::ranges::data(array), each * std::ranges::size(array));
 }
 
@@ -72,7 +76,6 @@ std::span<const AnId> as_ids(const Array& array) {
 /// that.
 template <int D, ArrayOfNumbers Array>
 std::span<const Cell<D>> as_cells(const Array& array) {
-  static_assert(sizeof(Cell<D>) == (D + 1) * sizeof(Index));
   const auto ids = as_ids<VertexId>(array);
   return detail::as_tuples<Cell<D>>(ids.data(), ids.size());
 }
@@ -80,7 +83,6 @@ std::span<const Cell<D>> as_cells(const Array& array) {
 /// The numbers as facets, D vertices each. Throws as as_cells.
 template <int D, ArrayOfNumbers Array>
 std::span<const Facet<D>> as_facets(const Array& array) {
-  static_assert(sizeof(Facet<D>) == D * sizeof(Index));
   const auto ids = as_ids<VertexId>(array);
   return detail::as_tuples<Facet<D>>(ids.data(), ids.size());
 }

@@ -164,7 +164,7 @@ class Incision {
 
 /// The numbering every writer uses: result[v] is the number of vertex v. Original vertices keep
 /// their numbers, copies follow by (original vertex, least corner). It depends on the scored set
-/// alone, so the same set gives the same bytes. Unused ids get the largest value of uint32. Time:
+/// alone, so the same set gives the same bytes. Unused ids get kNoIndex. Time:
 /// linear in the number of copies and vertices, and in the stars of copies.
 template <int D>
 std::vector<VertexId> canonical(const Incision<D>& incision);

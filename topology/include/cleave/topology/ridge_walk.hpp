@@ -46,7 +46,8 @@ class RidgeIterator : public boost::iterator_facade<RidgeIterator<D>, AtRidge,
   }
   void increment() {
     const AtRidge after = next(*k_, at_);
-    if (after == at_ || after == first_)
+    const bool stops = after == at_;
+    if (stops || after == first_)
       k_ = nullptr;  // the end
     else
       at_ = after;

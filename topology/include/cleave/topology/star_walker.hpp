@@ -98,6 +98,7 @@ std::span<const CornerId> StarWalker<D>::around(VertexId vertex) {
     if (!detail::is_mate(mate)) return;
     const CellId cell = cell_of<D>(mate);
     if (!detail::enter(slots, bits, walk, cell)) return;
+    __builtin_prefetch(&mates[half_facet<D>(cell, 0).value]);  // both are needed, and far apart
     int at = 0;  // the vertex is one of the cell's, so this finds which without a branch
     for (int i = 1; i <= D; ++i)
       at += cells[cell.value][static_cast<std::size_t>(i)] == vertex ? i : 0;

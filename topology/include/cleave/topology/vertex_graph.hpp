@@ -19,7 +19,7 @@ namespace cleave::topology {
 class VertexGraph {
  public:
   /// Time: O(n log n) in the number n of (cell, 1-simplex) pairs. Throws std::length_error if the
-  /// 1-simplices do not fit 32-bit numbers.
+  /// 1-simplices do not fit numbers of the width of ids.
   template <int D>
   explicit VertexGraph(const Complex<D>& k);
 
