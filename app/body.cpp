@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cleave/topology/arrays.hpp"
 #include "cleave/topology/check.hpp"
 #include "cleave/topology/locate.hpp"
 #include "cleave/topology/pieces.hpp"
@@ -28,6 +29,12 @@ CellSoup<D> soup_of(const Mesh& mesh) {
   for (auto& cell : soup.cells)
     for (VertexId& v : cell) v = {*vertex++};
   return soup;
+}
+
+template <int D>
+topology::CellView<D> cells_of(const Mesh& mesh) {
+  return topology::CellView<D>::of(topology::as_cells<D>(mesh.cells().vertices),
+                                   mesh.points.size());
 }
 
 namespace {
@@ -106,21 +113,27 @@ bool turn_over(const Mesh& mesh, const topology::Complex<D>& k, std::vector<std:
 }  // namespace
 
 template <int D>
-Body<D> make_body(const Mesh& mesh) {
+Body<D> make_body(const Mesh& mesh, const HowFar& how_far) {
   require_finite(mesh);
   require_sound_nodes(mesh);
   require_no_cohesive(mesh);
-  CellSoup<D> soup = soup_of<D>(mesh);
   try {
-    auto oriented = topology::orient(soup);
+    auto oriented = topology::orient(cells_of<D>(mesh));
     if (const auto* witness = std::get_if<topology::NonOrientable>(&oriented))
       throw refusal(mesh, {*witness});
-    soup.signs = std::move(std::get<std::vector<std::int8_t>>(oriented));
-    auto made = topology::assemble_regularized(soup);
+    auto& signs = std::get<std::vector<std::int8_t>>(oriented);
+    const auto assembled = [&] {
+      CellSoup<D> soup = soup_of<D>(mesh);
+      soup.signs = signs;
+      return topology::assemble_regularized(std::move(soup), {.progress = how_far});
+    };
+    auto made = assembled();
     // `orient` gave the first cell of each piece +1; where that cell is inverted, the piece is
-    // turned over and assembled again.
-    if (turn_over(mesh, made.complex, soup.signs))
-      made = topology::assemble_regularized(std::move(soup));
+    // turned over and assembled again, in the memory of the first try.
+    if (turn_over(mesh, made.complex, signs)) {
+      made = {};
+      made = assembled();
+    }
     return {&mesh, std::move(made.complex), std::move(made.splits)};
   } catch (const topology::InvalidComplex& e) {
     throw refusal(mesh, e.violations);
@@ -151,8 +164,7 @@ std::vector<HalfFacetId> locate(const Mesh& mesh, std::span<const Index> facets,
                                 const std::string& asked_by) {
   std::vector<topology::Facet<D>> tuples(facets.size() / D);
   for (std::size_t i = 0; i < facets.size(); ++i) tuples[i / D][i % D] = {facets[i]};
-  const auto soup = soup_of<D>(mesh);
-  const auto found = topology::locate_facets<D>(soup.cells, tuples);
+  const auto found = topology::locate_facets<D>(cells_of<D>(mesh).cells, tuples);
 
   std::vector<HalfFacetId> located;
   for (std::size_t i = 0; i < tuples.size(); ++i) {
@@ -206,7 +218,8 @@ std::vector<Index> vertices_of(const Mesh& mesh, const Group& group) {
 
 #define CLEAVE_INSTANTIATE(D)                                                      \
   template CellSoup<D> soup_of<D>(const Mesh&);                                    \
-  template Body<D> make_body<D>(const Mesh&);                                      \
+  template topology::CellView<D> cells_of<D>(const Mesh&);                         \
+  template Body<D> make_body<D>(const Mesh&, const HowFar&);                       \
   template std::vector<std::array<double, D>> points_of<D>(const Body<D>&);        \
   template std::vector<HalfFacetId> locate<D>(const Mesh&, std::span<const Index>, \
                                               const std::string&);                 \

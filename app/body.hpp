@@ -8,6 +8,7 @@
 #include "cleave/topology/assemble.hpp"
 #include "cleave/topology/facet_set.hpp"
 #include "mesh.hpp"
+#include "progress.hpp"
 
 /// From what a file holds to a complex, and back to the file's own numbers.
 namespace cleave::app {
@@ -15,6 +16,10 @@ namespace cleave::app {
 /// The cells of `mesh`: vertices are places in mesh.points, no signs. Requires mesh.dimension == D.
 template <int D>
 topology::CellSoup<D> soup_of(const Mesh& mesh);
+
+/// The same without a copy: valid as long as `mesh`.
+template <int D>
+topology::CellView<D> cells_of(const Mesh& mesh);
 
 /// The cells of a file as a complex. Vertices below mesh->points.size() are places in mesh->points;
 /// those from there on are the copies that regularisation made. Cells keep the file's order and
@@ -44,9 +49,9 @@ struct Body {
 /// InputError, which names the cells by the file's numbers, if the mesh is no orientable
 /// pseudo-manifold of distinct sound cells, has coordinates that are not finite, nodes of second
 /// order that check_edge_nodes objects to, or cohesive elements, which belong to a cut made before.
-/// Time: linear.
+/// Time: linear; `how_far` is told of it.
 template <int D>
-Body<D> make_body(const Mesh& mesh);
+Body<D> make_body(const Mesh& mesh, const HowFar& how_far = {});
 
 /// Whether the points of `mesh` lie in one plane z = constant, so that D = 2 has an orientation.
 bool is_planar(const Mesh& mesh);

@@ -62,9 +62,8 @@ int check_file(const std::string& path, const CheckSettings& settings, Progress&
   report.source = path;
   const auto failure = attempt([&] {
     progress.stage("reading " + path);
-    const Mesh mesh = read_mesh(path);
-    progress.stage("checking " + path);
-    report = check_mesh(mesh, settings);
+    const Mesh mesh = read_mesh(path, progress.within_stage());
+    report = check_mesh(mesh, settings, &progress);
     progress.clear();
     for (const std::string& note : mesh.dropped) warn(note);
   });
@@ -87,7 +86,7 @@ int check_meshes(const CheckOptions& options) {
   const bool text = options.json != "-" && options.sarif != "-" && options.junit != "-";
   std::vector<CheckReport> reports;
   int status = kFine;
-  Progress progress(2 * paths.files.size(), options.quiet);
+  Progress progress((1 + kCheckStages) * paths.files.size(), options.quiet);
   for (const std::string& path : paths.files) {
     CheckReport& report = reports.emplace_back();
     const CheckSettings settings = config.settings_for(path, options.settings);

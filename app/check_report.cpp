@@ -29,10 +29,11 @@ namespace {
 constexpr topology::BettiLimits kModerate{12'000'000, 1'000'000'000};
 
 template <int D>
-std::optional<std::vector<std::size_t>> holes(const topology::CellSoup<D>& soup, CountHoles when) {
+std::optional<std::vector<std::size_t>> holes(const Mesh& mesh, CountHoles when) {
   if (when == CountHoles::never) return std::nullopt;
   const auto limits = when == CountHoles::always ? topology::BettiLimits{} : kModerate;
-  const auto betti = topology::betti_numbers(soup, limits);
+  if (mesh.cells().size() > limits.simplices) return std::nullopt;  // without a copy of the cells
+  const auto betti = topology::betti_numbers(soup_of<D>(mesh), limits);
   if (!betti) return std::nullopt;
   return std::vector<std::size_t>(betti->begin(), betti->end());
 }
@@ -64,8 +65,12 @@ void apply_severities(std::vector<Finding>& findings, const CheckSettings& setti
 }
 
 template <int D>
-CheckReport check_cells(const Mesh& mesh, const CheckSettings& settings) {
-  const auto soup = soup_of<D>(mesh);
+CheckReport check_cells(const Mesh& mesh, const CheckSettings& settings, Progress* progress) {
+  const auto stage = [&](const char* what) {
+    if (progress != nullptr) progress->stage(what + (" of " + mesh.source));
+  };
+  stage("checking the cells");
+  const auto soup = cells_of<D>(mesh);
   auto violations = topology::check(soup, topology::Level::manifold);
   const std::vector<bool> node = edge_nodes(mesh);
   violations.erase(std::remove_if(violations.begin(), violations.end(),
@@ -75,6 +80,7 @@ CheckReport check_cells(const Mesh& mesh, const CheckSettings& settings) {
                                     return orphan != nullptr && node[orphan->vertex.value];
                                   }),
                    violations.end());
+  stage("counting pieces and holes");
   const auto nodes = static_cast<std::size_t>(std::count(node.begin(), node.end(), true));
   CheckReport report{mesh.source,
                      {},
@@ -86,13 +92,14 @@ CheckReport check_cells(const Mesh& mesh, const CheckSettings& settings) {
                      topology::level_reached(D, violations),
                      {},
                      topology::summarize(soup),
-                     holes<D>(soup, settings.betti),
+                     holes<D>(mesh, settings.betti),
                      undecided_by(violations)};
   const auto add = [&](std::vector<Finding> findings) {
     std::move(findings.begin(), findings.end(), std::back_inserter(report.findings));
   };
   for (const auto& violation : violations)
     report.findings.push_back(finding_of(violation, mesh, settings.required));
+  stage("checking the geometry");
   add(check_edge_nodes(mesh));
   add(check_geometry(mesh, settings.flat_ratio));
   add(check_coincident(mesh, settings.coincident_distance));
@@ -135,10 +142,10 @@ std::string line_on_the_whole(const CheckReport& report) {
 
 }  // namespace
 
-CheckReport check_mesh(const Mesh& mesh, const CheckSettings& settings) {
-  if (mesh.dimension == 1) return check_cells<1>(mesh, settings);
-  if (mesh.dimension == 2) return check_cells<2>(mesh, settings);
-  return check_cells<3>(mesh, settings);
+CheckReport check_mesh(const Mesh& mesh, const CheckSettings& settings, Progress* progress) {
+  if (mesh.dimension == 1) return check_cells<1>(mesh, settings, progress);
+  if (mesh.dimension == 2) return check_cells<2>(mesh, settings, progress);
+  return check_cells<3>(mesh, settings, progress);
 }
 
 std::string text_of(const CheckReport& report, std::size_t at_most, bool summary) {

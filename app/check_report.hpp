@@ -7,6 +7,7 @@
 #include "check_settings.hpp"
 #include "cleave/topology/summary.hpp"
 #include "finding.hpp"
+#include "progress.hpp"
 
 namespace cleave::app {
 
@@ -27,8 +28,10 @@ struct CheckReport {
   std::size_t count(Severity severity) const;
 };
 
-/// Applies every rule to `mesh`.
-CheckReport check_mesh(const Mesh& mesh, const CheckSettings& settings);
+/// Applies every rule to `mesh`, in kCheckStages stages of `progress`.
+inline constexpr std::size_t kCheckStages = 3;
+CheckReport check_mesh(const Mesh& mesh, const CheckSettings& settings,
+                       Progress* progress = nullptr);
 
 /// One line per finding ("SOURCE: error: rule: message"), of a long list of one rule and severity
 /// the first `at_most` and a line that counts the others; at the end, with `summary`, a line on the

@@ -59,7 +59,7 @@ int convert(const ConvertOptions& options) {
   require_options_fit(options.out, options.write);  // refused before anything is done
   Progress progress(2, options.quiet);
   progress.stage("reading " + options.in);
-  const Mesh mesh = read_mesh(options.in);
+  const Mesh mesh = read_mesh(options.in, progress.within_stage());
   const std::vector<Loss> losses = losses_of(mesh, options.out, options.write);
   if (options.strict && (!losses.empty() || !mesh.dropped.empty()))
     throw InputError(refusal(options, mesh, losses));

@@ -16,7 +16,7 @@ int run_cut(const CutOptions& options) {
   if (!options.out.empty()) require_format(options.out, options.cohesive);
   Progress progress(6, options.quiet);
   progress.stage("reading " + options.mesh);
-  const CutSource source = read_source(options.mesh, options.forget);
+  const CutSource source = read_source(options.mesh, options.forget, progress.within_stage());
   progress.clear();
   for (const std::string& dropped : source.mesh.dropped) warn(dropped);
   if (source.record && !options.quiet) note(note_on(source));

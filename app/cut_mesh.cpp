@@ -202,7 +202,7 @@ template <int D>
 CutResult cut_cells(const CutSource& source, const CutOptions& options, Progress& progress) {
   CutResult result;
   progress.stage("looking at the cells");
-  CutState<D> state(source.original());
+  CutState<D> state(source.original(), progress.within_stage());
   report_regularized(state.body, options, result);
   resume(state, source);
   if (source.record)

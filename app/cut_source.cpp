@@ -36,7 +36,7 @@ void require_unchanged(const std::string& path, const IncisionRecord& record) {
 
 }  // namespace
 
-CutSource read_source(const std::string& path, bool forget) {
+CutSource read_source(const std::string& path, bool forget, const HowFar& how_far) {
   CutSource source;
   const std::string record = record_path(path).string();
   std::error_code error;
@@ -45,7 +45,7 @@ CutSource read_source(const std::string& path, bool forget) {
     source.record = read_record(record);
     require_unchanged(path, *source.record);
   }
-  source.mesh = read_mesh(path);
+  source.mesh = read_mesh(path, how_far);
   if (!recorded) return source;
   if (source.record->dimension != source.mesh.dimension)
     throw InputError(

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "mesh.hpp"
+#include "progress.hpp"
 #include "record.hpp"
 
 namespace cleave::app {
@@ -19,8 +20,8 @@ struct CutSource {
 };
 
 /// Reads MESH and, unless `forget`, the record beside it. Throws InputError if either cannot be
-/// read, or if the record was not written for these bytes.
-CutSource read_source(const std::string& path, bool forget);
+/// read, or if the record was not written for these bytes. `how_far`: as for read_mesh.
+CutSource read_source(const std::string& path, bool forget, const HowFar& how_far = {});
 
 /// Whether the groups of the mesh are those that a cut leaves: facets NAME_minus and NAME_plus.
 bool looks_cut(const Mesh& mesh);

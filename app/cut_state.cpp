@@ -19,8 +19,8 @@ using topology::HalfFacetId;
 using topology::VertexId;
 
 template <int D>
-CutState<D>::CutState(const Mesh& original)
-    : body(make_body<D>(original)), incision(body.complex) {}
+CutState<D>::CutState(const Mesh& original, const HowFar& how_far)
+    : body(make_body<D>(original, how_far)), incision(body.complex) {}
 
 template <int D>
 void CutState<D>::name(const std::string& group) {

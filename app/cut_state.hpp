@@ -17,7 +17,7 @@ namespace cleave::app {
 template <int D>
 struct CutState {
   /// Nothing asked for yet. `original` must outlive the state.
-  explicit CutState(const Mesh& original);
+  explicit CutState(const Mesh& original, const HowFar& how_far = {});
   CutState(const CutState&) = delete;
   CutState& operator=(const CutState&) = delete;
 

@@ -18,20 +18,20 @@ namespace cleave::app {
 
 namespace {
 
-Mesh read_format(const std::filesystem::path& path, MeshFormat format) {
+Mesh read_format(const std::filesystem::path& path, MeshFormat format, const HowFar& how_far) {
   const bool is_vtk = format == MeshFormat::kVtu || format == MeshFormat::kVtk;
   if (is_vtk && is_gzip_name(path))
     throw InputError("'" + path.string() +
                      "': VTK files are read as they are, not compressed by gzip; unpack it first");
   switch (format) {
     case MeshFormat::kMedit:
-      return read_medit(InputText(path));
+      return read_medit(InputText(path, how_far));
     case MeshFormat::kGmsh:
-      return read_msh(InputText(path));
+      return read_msh(InputText(path, how_far));
     case MeshFormat::kTetgen:
       return read_tetgen(path);
     case MeshFormat::kAbaqus:
-      return read_abaqus(InputText(path));
+      return read_abaqus(InputText(path, how_far));
     case MeshFormat::kVtu:
       return read_vtk(path, VtkFormat::kXml);
     case MeshFormat::kVtk:
@@ -90,9 +90,9 @@ GroupIntegers write_format(OutputFiles& files, const std::filesystem::path& path
 
 }  // namespace
 
-Mesh read_mesh(const std::filesystem::path& path) {
+Mesh read_mesh(const std::filesystem::path& path, const HowFar& how_far) {
   const MeshFormat format = format_of(path);
-  Mesh mesh = read_format(path, format);
+  Mesh mesh = read_format(path, format, how_far);
   for (int d = 1; d <= 3; ++d)
     if (mesh.elements[static_cast<std::size_t>(d)].size() > 0) mesh.dimension = d;
   if (mesh.dimension == 0)

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mesh.hpp"
+#include "progress.hpp"
 #include "mesh_formats.hpp"
 
 namespace cleave::app {
@@ -19,8 +20,9 @@ class OutputFiles;
 /// lines, the file's own numbers, what to do) for everything that is not a mesh of edges, triangles
 /// or tetrahedra in that format. Whether the mesh is any good (repeated cells, coordinates that are
 /// not finite, ...) is not its business. Cost: linear in the file, which is mapped or read once;
-/// memory is bounded by the file's size, whatever counts it claims.
-Mesh read_mesh(const std::filesystem::path& path);
+/// memory is bounded by the file's size, whatever counts it claims. `how_far` is told how much of
+/// the file is read (not of VTK's formats).
+Mesh read_mesh(const std::filesystem::path& path, const HowFar& how_far = {});
 
 /// How a .vtu file holds its arrays: as text, as bytes behind the XML (raw), or as base64 digits,
 /// plain or compressed (zlib).

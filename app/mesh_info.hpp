@@ -42,7 +42,7 @@ struct MeshInfo {
   std::vector<FieldInfo> fields;
   std::optional<std::array<std::array<double, 3>, 2>> box;  // of the finite points
   std::size_t not_finite = 0;                               // points
-  std::optional<topology::Summary> topology;                // none: too many cells for 32-bit ids
+  std::optional<topology::Summary> topology;                // none: too many cells for the ids
 };
 
 /// Time: O(n log n) in the cells, for the topology; linear without.

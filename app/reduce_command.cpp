@@ -57,7 +57,7 @@ int run_reduce(const ReduceOptions& options) {
   format_of(options.out);  // refused before anything is done
   Progress progress(40, options.quiet);
   progress.stage("reading " + options.mesh);
-  const Mesh mesh = read_mesh(options.mesh);
+  const Mesh mesh = read_mesh(options.mesh, progress.within_stage());
   progress.clear();
   for (const std::string& warning : mesh.dropped) warn(warning);
   progress.stage("looking for what to keep");

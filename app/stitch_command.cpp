@@ -14,7 +14,7 @@ int run_stitch(const StitchOptions& options) {
   if (!options.out.empty()) require_format(options.out, false);  // refused before anything is done
   Progress progress(5, options.quiet);
   progress.stage("reading " + options.mesh);
-  const CutSource source = read_source(options.mesh, false);
+  const CutSource source = read_source(options.mesh, false, progress.within_stage());
   progress.clear();
   for (const std::string& dropped : source.mesh.dropped) warn(dropped);
   StitchResult result = stitch_mesh(source, options, progress);

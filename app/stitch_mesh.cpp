@@ -122,7 +122,7 @@ StitchResult stitch_cells(const CutSource& source, const StitchOptions& options,
   StitchReport& report = result.report;
   const std::string& target = options.out.empty() ? options.mesh : options.out;
   progress.stage("looking at the cells");
-  CutState<D> state(source.original());
+  CutState<D> state(source.original(), progress.within_stage());
   resume(state, source);
   if (!options.out.empty()) require_format(target, state.cohesive && !options.all);
   report.pieces_before = topology::pieces(state.incision.complex()).count;

@@ -18,4 +18,11 @@ class WatchedTemporary {
   int slot_;  // -1: not watched
 };
 
+/// While true, those signals wipe the line of the terminal on stderr that the process has drawn.
+void watch_line(bool drawn);
+
+/// Makes the process end with a message and the exit status of an unreadable file when a mapped
+/// file turns out to be shorter than it was (SIGBUS).
+void watch_mapped_input();
+
 }  // namespace cleave::app

@@ -34,11 +34,14 @@ class BinaryRows {
  public:
   /// `swapped`: the bytes of each number come in the order that is not the machine's.
   BinaryRows(const InputText& text, const char* begin, const char* end, bool swapped)
-      : text_(&text), at_(begin), end_(end), swapped_(swapped) {}
+      : text_(&text), at_(begin), end_(end), told_(begin), swapped_(swapped) {}
 
   /// What follows the rows that the counts speak of is not the reader's business.
   bool more() const { return false; }
-  BinaryRow next(const char* /*what*/) { return {*this, at_}; }
+  BinaryRow next(const char* /*what*/) {
+    if (at_ >= told_) told_ = text_->passed(at_);
+    return {*this, at_};
+  }
   std::size_t count(BinaryRow& row, const char* what, std::size_t least = 1) {
     const auto count = row.number<std::uint64_t>(what);
     check_count(*text_, row.begin(), end_, count, least, what);
@@ -69,12 +72,14 @@ class BinaryRows {
 
   const char* position() const { return at_; }
   const char* end() const { return end_; }
+  std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
   const InputText& text() const { return *text_; }
 
  private:
   const InputText* text_;
   const char* at_;
   const char* end_;
+  const char* told_;  // `text` is told when this is passed
   bool swapped_;
 };
 

@@ -1,6 +1,7 @@
 #include "files/input_text.hpp"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,6 +14,7 @@
 
 #include "error.hpp"
 #include "files/gzip.hpp"
+#include "temporaries.hpp"
 
 namespace cleave::app {
 namespace {
@@ -64,14 +66,49 @@ std::size_t read_up_to(const Descriptor& file, const std::filesystem::path& path
 
 }  // namespace
 
-InputText::InputText(const std::filesystem::path& path) : source_(path.string()) {
+void ReleaseBytes::operator()(char* bytes) const {
+  if (mapped > 0)
+    munmap(bytes, mapped);
+  else
+    delete[] bytes;
+}
+
+/// Leaves everything as it is if the file cannot be mapped.
+void InputText::map(int descriptor, std::size_t size) {
+  void* const at = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
+  if (at == MAP_FAILED) return;
+  madvise(at, size, MADV_SEQUENTIAL);
+  watch_mapped_input();
+  bytes_ = {static_cast<char*>(at), ReleaseBytes{size}};
+  size_ = size;
+}
+
+const char* InputText::passed(const char* place) const {
+  constexpr std::ptrdiff_t kStep = 1 << 22;
+  if (how_far_ && size_ > 0)
+    how_far_(static_cast<double>(place - begin()) / static_cast<double>(size_));
+  const std::ptrdiff_t before = place - begin();
+  if (bytes_.get_deleter().mapped > 0 && before >= kStep) {  // it can be read again
+    const std::ptrdiff_t page = sysconf(_SC_PAGESIZE);
+    const std::ptrdiff_t end = before / page * page,
+                         first = std::max<std::ptrdiff_t>(0, end - 2 * kStep);
+    madvise(bytes_.get() + first, static_cast<std::size_t>(end - first), MADV_DONTNEED);
+  }
+  return end() - place > kStep ? place + kStep : end();
+}
+
+InputText::InputText(const std::filesystem::path& path, HowFar how_far)
+    : source_(path.string()), how_far_(std::move(how_far)) {
   const Descriptor file(path);
+  if (file.regular && file.size > 0) map(file.value, file.size);
   std::size_t capacity = file.regular ? file.size : std::size_t{1} << 16;
-  bytes_.reset(new char[capacity]);
-  size_ = read_up_to(file, path, bytes_.get(), capacity);
+  if (!bytes_) {
+    bytes_.reset(new char[capacity]);
+    size_ = read_up_to(file, path, bytes_.get(), capacity);
+  }
   while (!file.regular && size_ == capacity) {  // a pipe: its size is known at its end only
     capacity *= 2;
-    std::unique_ptr<char[]> larger(new char[capacity]);
+    std::unique_ptr<char[], ReleaseBytes> larger(new char[capacity]);
     std::memcpy(larger.get(), bytes_.get(), size_);
     bytes_ = std::move(larger);
     size_ += read_up_to(file, path, bytes_.get() + size_, capacity - size_);
@@ -80,7 +117,7 @@ InputText::InputText(const std::filesystem::path& path) : source_(path.string())
   if (!is_gzip_name(path)) return;
   OwnedBytes unpacked = unpack_gzip(source_, bytes(), most_unpacked());
   if (unpacked.size == 0) fail_empty(path);
-  bytes_ = std::move(unpacked.bytes);
+  bytes_ = {unpacked.bytes.release(), ReleaseBytes{}};
   size_ = unpacked.size;
 }
 

@@ -5,7 +5,15 @@
 #include <string>
 #include <string_view>
 
+#include "progress.hpp"
+
 namespace cleave::app {
+
+/// Gives bytes back to where they are from.
+struct ReleaseBytes {
+  std::size_t mapped = 0;  // so many are mapped; 0: they were made by new
+  void operator()(char* bytes) const;
+};
 
 /// A whole text file in memory, with messages that name the file and the line. Nothing counts
 /// lines while reading; a message does, from the place it speaks of.
@@ -14,7 +22,9 @@ class InputText {
   /// A file whose extension is `.gz` is unpacked, and lines are those of its content. Throws
   /// InputError if the file is missing, a folder, unreadable or empty, or no good gzip file (see
   /// unpack_gzip).
-  explicit InputText(const std::filesystem::path& path);
+  /// Regular files are mapped, so that they take no memory that others need; `how_far` is told how
+  /// far reading has come.
+  explicit InputText(const std::filesystem::path& path, HowFar how_far = {});
 
   /// For text that is already in memory; `source` is the name messages quote.
   InputText(std::string source, std::string_view bytes);
@@ -23,6 +33,10 @@ class InputText {
   std::string_view bytes() const { return {bytes_.get(), size_}; }
   const char* begin() const { return bytes_.get(); }
   const char* end() const { return bytes_.get() + size_; }
+
+  /// Readers say where they are, when they have passed the place that they were given the last time
+  /// (at first, any); returns the next such place.
+  const char* passed(const char* place) const;
 
   /// "SOURCE:LINE" for the line that `place`, a position in bytes(), is on; "SOURCE: byte OFFSET"
   /// if there is binary data, a zero byte, before it.
@@ -36,9 +50,12 @@ class InputText {
   [[noreturn]] void fail_format(const std::string& expected) const;
 
  private:
+  void map(int descriptor, std::size_t size);
+
   std::string source_;
-  std::unique_ptr<char[]> bytes_;
+  std::unique_ptr<char[], ReleaseBytes> bytes_;
   std::size_t size_ = 0;
+  HowFar how_far_;
 };
 
 /// The text of a file, or of standard input for the name "-". Throws InputError.

@@ -121,6 +121,7 @@ void read_rows(BinaryRows& rows, std::size_t count, MshContent& content) {
     const std::size_t bytes = 4 * (1 + static_cast<std::size_t>(tag_count) + kind.nodes());
     check_count(rows.text(), rows.position(), rows.end(), static_cast<std::uint64_t>(block), bytes,
                 "the number of elements");
+    content.expect(kind, static_cast<std::size_t>(block));
     for (std::int32_t i = 0; i < block; ++i) {
       BinaryRow row = rows.next("an element");
       const std::uint64_t number = msh_number<true>(row, "the number of an element");

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -141,6 +142,8 @@ void read_msh41_elements(Rows& rows, const MshEntities& entities, MshContent& co
                      " in an entity of dimension " + std::to_string(block.dimension));
     const std::size_t group_count = known != entities.end() ? known->second.size() : 0;
     if (kind.cohesive && group_count > 1) content.cohesive_in_several_groups = true;
+    constexpr std::size_t kLeast = kBinary ? 8 : 2;  // bytes of a number; a count may lie
+    content.expect(kind, std::min(block.count, rows.bytes_left() / kLeast / (1 + kind.nodes())));
     for (std::size_t i = 0; i < block.count; ++i) {
       auto row = rows.next("an element");
       const auto number = row.template number<std::uint64_t>("the number of an element");

@@ -104,6 +104,19 @@ int MshContent::dimension() const {
   return 0;
 }
 
+void MshContent::expect(const MshKind& kind, std::size_t count) {
+  if (kind.cohesive) return;
+  Elements& elements = mesh.elements[static_cast<std::size_t>(kind.dimension)];
+  // Twice as much as there was at least, lest a file of many small blocks be copied for each.
+  const auto make_room = [](auto& list, std::size_t more) {
+    if (list.size() + more > list.capacity())
+      list.reserve(std::max(list.size() + more, 2 * list.size()));
+  };
+  make_room(elements.vertices, kind.corners * count);
+  make_room(elements.midside, kind.midside * count);
+  make_room(elements.numbers, count);
+}
+
 void MshContent::finish_cohesive() {
   for (int d = 2; d <= 3; ++d) {
     MshCohesive& list = cohesive[static_cast<std::size_t>(d - 2)];

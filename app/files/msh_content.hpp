@@ -69,6 +69,9 @@ struct MshContent {
   std::vector<MshRepeated> repeated;
   bool cohesive_in_several_groups = false;
 
+  /// Makes room for `count` more elements, which the file is long enough to hold.
+  void expect(const MshKind& kind, std::size_t count);
+
   /// Adds the element that the rest of `row` describes, whose nodes have 32 bits in binary if
   /// `Short`; returns its place.
   template <bool Short, class Row>

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -27,8 +28,29 @@ void read_physical_names(const InputText& text, const MshSection& section, MshCo
   if (rows.more()) rows.next("a name").fail("more names than the count says");
 }
 
+/// Whether the numbers ascend in each dimension, and those of two dimensions do not mingle, which
+/// is what most files hold; so nothing needs to be copied and sorted.
+bool ascend_apart(const MshContent& content) {
+  if (!content.repeated.empty()) return false;
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges;
+  const auto ascends = [&](const std::vector<std::uint64_t>& numbers) {
+    if (!numbers.empty()) ranges.emplace_back(numbers.front(), numbers.back());
+    return std::adjacent_find(numbers.begin(), numbers.end(), std::greater_equal<>()) ==
+           numbers.end();
+  };
+  for (const Elements& of_dimension : content.mesh.elements)
+    if (!ascends(of_dimension.numbers)) return false;
+  for (const MshCohesive& list : content.cohesive)
+    if (!ascends(list.numbers)) return false;
+  std::sort(ranges.begin(), ranges.end());
+  for (std::size_t i = 1; i < ranges.size(); ++i)
+    if (ranges[i].first <= ranges[i - 1].second) return false;
+  return true;
+}
+
 /// A number that two elements of any dimension share, if there is one.
 std::optional<std::uint64_t> repeated_number(const MshContent& content) {
+  if (ascend_apart(content)) return std::nullopt;
   std::vector<std::uint64_t> all;
   for (const Elements& of_dimension : content.mesh.elements)
     all.insert(all.end(), of_dimension.numbers.begin(), of_dimension.numbers.end());

@@ -49,6 +49,7 @@ std::size_t RowReader::count(Row& row, const char* what, std::size_t least) cons
 void RowReader::find() {
   found_ = true;
   row_begin_ = nullptr;
+  if (at_ >= told_) told_ = text_->passed(at_);
   while (at_ != end_) {
     const auto size = static_cast<std::size_t>(end_ - at_);
     const auto* newline = static_cast<const char*>(std::memchr(at_, '\n', size));

@@ -85,7 +85,7 @@ void check_count(const InputText& text, const char* place, const char* end, std:
 class RowReader {
  public:
   RowReader(const InputText& text, const char* begin, const char* end, char comment = '\n')
-      : text_(&text), at_(begin), end_(end), comment_(comment) {}
+      : text_(&text), at_(begin), end_(end), told_(begin), comment_(comment) {}
 
   /// True if there is another row.
   bool more() {
@@ -107,6 +107,7 @@ class RowReader {
 
   /// The place after the row that next() returned last.
   const char* position() const { return at_; }
+  std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
   const InputText& text() const { return *text_; }
 
  private:
@@ -116,6 +117,7 @@ class RowReader {
   const InputText* text_;
   const char* at_;
   const char* end_;
+  const char* told_;  // `text` is told when this is passed
   char comment_;
   bool found_ = false;  // row_begin_, row_end_ hold the row that next() will return
   const char* row_begin_ = nullptr;
