@@ -24,10 +24,13 @@ struct ComplexAccess {
   }
   static std::vector<Cell<D>>& cells(Complex<D>& k) { return k.cells_; }
   static std::vector<HalfFacetId>& mates(Complex<D>& k) { return k.mates_; }
-  static void set_a_corner(Complex<D>& k, VertexId vertex, CornerId corner) {
+  static CornerId& a_corner(Complex<D>& k, VertexId vertex) {
     const std::size_t made_with = k.a_corner_.size();
-    (vertex.value < made_with ? k.a_corner_[vertex.value]
-                              : k.a_corner_of_copy_[vertex.value - made_with]) = corner;
+    return vertex.value < made_with ? k.a_corner_[vertex.value]
+                                    : k.a_corner_of_copy_[vertex.value - made_with];
+  }
+  static void set_a_corner(Complex<D>& k, VertexId vertex, CornerId corner) {
+    a_corner(k, vertex) = corner;
   }
   /// Adds copies, without corners yet, or takes the last ones away. Time: linear in the copies.
   static void resize_vertices(Complex<D>& k, std::size_t count) {
