@@ -5,6 +5,7 @@
 #include "cleave/topology/incision.hpp"
 #include "cleave/topology/unglue.hpp"
 #include "cleave/topology/violation.hpp"
+#include "complex_access.hpp"
 #include "view_laws.hpp"
 
 namespace cleave::views {
@@ -83,6 +84,134 @@ TYPED_TEST(VerifyTouched, AcceptsAStitchAndRefusesEveryOtherStory) {
     lies[n](told);
     EXPECT_THROW(verify_touched(k, shut, told), InvariantBroken) << "lie " << n;
   }
+}
+
+/// What a complex is made of, to be spoiled.
+template <int D>
+struct Parts {
+  std::vector<Cell<D>> cells;
+  std::vector<HalfFacetId> mates;
+  std::vector<bool> reversed;
+  std::vector<CornerId> a_corner;
+
+  explicit Parts(const Complex<D>& k) : cells(k.cells().begin(), k.cells().end()) {
+    for (Index h = 0; h < k.half_facet_count(); ++h)
+      mates.push_back(k.mate({h}).value_or(HalfFacetId{kNoIndex}));
+    for (Index c = 0; c < k.cell_count(); ++c) reversed.push_back(k.sign({c}) < 0);
+    for (Index v = 0; v < k.vertex_count(); ++v)
+      a_corner.push_back(k.a_corner({v}).value_or(CornerId{kNoIndex}));
+  }
+  Complex<D> complex() const {
+    return detail::ComplexAccess<D>::make(cells, mates, reversed, a_corner);
+  }
+  VertexId& vertex(CornerId corner) {
+    return cells[cell_of<D>(corner).value][static_cast<std::size_t>(local_index<D>(corner))];
+  }
+};
+
+TYPED_TEST(VerifyTouched, FindsEachFaultInAStarThatWasTouched) {
+  constexpr int D = TypeParam::value;
+  auto k = complex_of<D>(kuhn_cube<D>(D <= 2 ? 9 : D == 3 ? 4 : 3));
+  const FacetSet all = FacetSet::all(k);
+  std::vector<HalfFacetId> some;  // so few that stars keep interior facets
+  for (std::size_t n = 0; n < all.size(); n += 3) some.push_back(all.half_facets()[n]);
+  const FacetSet cut = FacetSet::of_lesser(some);
+  const Relabelling truth = unglue(k, cut);
+  ASSERT_FALSE(truth.corners.empty());
+  const auto expect_found = [&](const Parts<D>& spoiled, const char* fault) {
+    EXPECT_THROW(verify_touched(spoiled.complex(), cut, truth), InvariantBroken) << fault;
+  };
+  EXPECT_NO_THROW(verify_touched(Parts<D>(k).complex(), cut, truth));
+
+  std::vector<HalfFacetId> around;  // interior facets that contain a renamed corner
+  for (const RenamedCorner& renamed : truth.corners)
+    for (int i = 0; i <= D; ++i) {
+      const auto h = half_facet<D>(cell_of<D>(renamed.corner), i);
+      if (h != renamed.corner && k.is_interior(h)) around.push_back(h);
+    }
+  if constexpr (D > 1) {
+    ASSERT_GE(around.size(), 4u);
+  }
+  for (std::size_t n = 0; n + 1 < around.size(); n += 1 + around.size() / 20) {
+    const HalfFacetId h = around[n], mate = *k.mate(h);
+    Parts<D> spoiled(k);
+    spoiled.mates[mate.value] = {kNoIndex};
+    expect_found(spoiled, "one of two mates knows of none");
+    spoiled = Parts<D>(k);
+    spoiled.reversed[cell_of<D>(h).value].flip();
+    expect_found(spoiled, "a cell is the wrong way round");
+    spoiled = Parts<D>(k);
+    std::swap(spoiled.cells[cell_of<D>(mate).value][0], spoiled.cells[cell_of<D>(mate).value][1]);
+    expect_found(spoiled, "two vertices of a cell are exchanged");
+    spoiled = Parts<D>(k);
+    spoiled.cells[cell_of<D>(h).value][0] = spoiled.cells[cell_of<D>(h).value][1];
+    expect_found(spoiled, "a cell has a vertex twice");
+    // Of the vertices of the facet, all but one are in the other cell.
+    for (int i = 0; i <= D; ++i) {
+      const auto corner = half_facet<D>(cell_of<D>(mate), i);
+      if (corner == mate) continue;
+      spoiled = Parts<D>(k);
+      spoiled.vertex(corner) = VertexId{static_cast<Index>(k.vertex_count() - 1)};
+      if (spoiled.vertex(corner) == k.vertex(corner)) continue;
+      expect_found(spoiled, "mates differ in a vertex");
+    }
+    const HalfFacetId other = around[n + 1], others_mate = *k.mate(other);
+    if (other == h || other == mate) continue;
+    spoiled = Parts<D>(k);
+    spoiled.mates[h.value] = others_mate;
+    spoiled.mates[others_mate.value] = h;
+    spoiled.mates[other.value] = mate;
+    spoiled.mates[mate.value] = other;
+    expect_found(spoiled, "two facets have each other's mates");
+  }
+  for (const Split& split : truth.splits)
+    for (const VertexId v : {split.vertex, split.parent}) {
+      const std::vector<CornerId> corners = star(k, v);
+      EXPECT_EQ(k.a_corner(v), *std::min_element(corners.begin(), corners.end()));
+      Parts<D> spoiled(k);
+      spoiled.a_corner[v.value] = *k.a_corner(v == split.vertex ? split.parent : split.vertex);
+      expect_found(spoiled, "a vertex names a corner of another");
+      if (corners.size() == 1) continue;
+      spoiled.a_corner[v.value] = *std::max_element(corners.begin(), corners.end());
+      expect_found(spoiled, "a vertex names a corner that is not its least");
+    }
+}
+
+TYPED_TEST(VerifyTouched, FindsAVertexThatShouldHaveBeenSplit) {
+  constexpr int D = TypeParam::value;
+  auto k = complex_of<D>(kuhn_cube<D>(D <= 2 ? 5 : 3));
+  const FacetSet cut = dense_cut(k);
+  const Relabelling truth = unglue(k, cut);
+  // The last copy is its parent still, and nothing is said of it.
+  const Split last = truth.splits.back();
+  Parts<D> spoiled(k);
+  Relabelling told = truth;
+  told.corners.clear();
+  for (const RenamedCorner& renamed : truth.corners)
+    if (renamed.to == last.vertex)
+      spoiled.vertex(renamed.corner) = last.parent;
+    else
+      told.corners.push_back(renamed);
+  told.splits.pop_back();
+  --told.vertices_after;
+  spoiled.a_corner.pop_back();
+  EXPECT_THROW(verify_touched(spoiled.complex(), cut, told), InvariantBroken);
+}
+
+TYPED_TEST(VerifyTouched, WantsOpenedAndShutFacetsOnceEach) {
+  constexpr int D = TypeParam::value;
+  auto k = complex_of<D>(kuhn_cube<D>(D <= 2 ? 5 : 3));
+  const FacetSet cut = dense_cut(k);
+  const Relabelling truth = unglue(k, cut);
+  Relabelling told = truth;
+  told.opened.push_back(told.opened.back());
+  EXPECT_THROW(verify_touched(k, cut, told), InvariantBroken) << "one twice";
+  told = truth;
+  std::swap(told.opened.front(), told.opened.back());
+  EXPECT_THROW(verify_touched(k, cut, told), InvariantBroken) << "out of order";
+  told = truth;
+  told.opened.erase(told.opened.begin());
+  EXPECT_THROW(verify_touched(k, cut, told), InvariantBroken) << "the first is missing";
 }
 
 // For D = 1 every facet of a cut opens.

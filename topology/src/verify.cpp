@@ -1,44 +1,77 @@
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "cleave/topology/check.hpp"
 #include "cleave/topology/unglue.hpp"
 #include "cleave/topology/violation.hpp"
-#include "corner_set.hpp"
+#include "corner_marks.hpp"
 #include "dimensions.hpp"
 
 namespace cleave::topology {
 namespace {
 
-void require(bool holds, const char* what, Index id) {
-  if (!holds) throw InvariantBroken(std::string(what) + " (" + std::to_string(id) + ")");
+[[noreturn, gnu::cold, gnu::noinline]] void fail(const char* what, Index id) {
+  throw InvariantBroken(std::string(what) + " (" + std::to_string(id) + ")");
 }
 
-template <int D>
-Facet<D> sorted_facet(const Complex<D>& k, HalfFacetId h) {
-  Facet<D> facet = k.facet(h);
-  std::sort(facet.begin(), facet.end());
-  return facet;
+inline void require(bool holds, const char* what, Index id) {
+  if (!holds) fail(what, id);
 }
 
-/// Mates h and m name each other, have the same vertices, and opposite orientations are induced on
-/// them.
+/// Puts the entries of one tuple at places of another, one after the other.
+class Places {
+ public:
+  /// False if the place is taken.
+  bool take(std::size_t place) {
+    odd_ ^= kOdd >> (taken_ >> place);  // earlier entries at later places
+    const unsigned bit = 1u << place;
+    const bool was_free = (taken_ & bit) == 0;
+    taken_ |= bit;
+    return was_free;
+  }
+  /// Of the permutation, when all places are taken.
+  bool is_odd() const { return (odd_ & 1u) != 0; }
+
+ private:
+  static constexpr unsigned kOdd = 0x96696996u;  // bit n: whether n < 32 has an odd number of bits
+  unsigned taken_ = 0, odd_ = 0;
+};
+
+template <std::size_t N>
+std::size_t place_in(const std::array<VertexId, N>& tuple, VertexId vertex) {
+  std::size_t place = 0;
+  while (place < N && tuple[place] != vertex) ++place;
+  return place;
+}
+
+/// Whether each entry of one facet is found at a place of its own in the other.
+template <std::size_t N>
+bool same_vertices(const std::array<VertexId, N>& one, const std::array<VertexId, N>& other) {
+  Places places;
+  for (const VertexId v : one) {
+    const std::size_t place = place_in(other, v);
+    if (place == N || !places.take(place)) return false;
+  }
+  return true;
+}
+
+/// Mates h and m, which name each other, have the same vertices, and opposite orientations are
+/// induced on them: when the vertices opposite the facet count as the same, one cell is an odd
+/// permutation of the other if their signs agree, an even one if they differ.
 template <int D>
 void verify_mates(const Complex<D>& k, HalfFacetId h, HalfFacetId m) {
-  require(k.mate(m) == h, "mates do not name each other at half-facet", h.value);
-  const Facet<D> one = k.facet(h), other = k.facet(m);
-  std::array<std::ptrdiff_t, static_cast<std::size_t>(D)> place{};  // in `other`, of one's vertices
-  int parity = 1;
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    place[i] = std::find(other.begin(), other.end(), one[i]) - other.begin();
-    require(place[i] < D, "mates differ in vertices at half-facet", h.value);
-    for (std::size_t before = 0; before < i; ++before)
-      if (place[i] < place[before]) parity = -parity;
+  const Cell<D>& one = k.vertices(cell_of<D>(h));
+  const Cell<D>& other = k.vertices(cell_of<D>(m));
+  const auto opposite = static_cast<std::size_t>(local_index<D>(h));
+  Places places;
+  for (std::size_t i = 0; i <= D; ++i) {
+    const std::size_t place =
+        i == opposite ? static_cast<std::size_t>(local_index<D>(m)) : place_in(other, one[i]);
+    require(place <= D && places.take(place), "mates differ in vertices at half-facet", h.value);
   }
-  require(k.facet_sign(h) * parity == -k.facet_sign(m),
+  require(places.is_odd() == (k.sign(cell_of<D>(h)) == k.sign(cell_of<D>(m))),
           "mates have the same orientation at half-facet", h.value);
 }
 
@@ -76,6 +109,29 @@ void verify_merges(const Complex<D>& k, const Relabelling& change) {
   }
 }
 
+/// Where `vertex` is told of in `entries`, ascending by vertex, or their end. New ids follow each
+/// other as a rule, so that its place can be computed.
+template <class Entry>
+auto told(const std::vector<Entry>& entries, VertexId vertex) {
+  if (entries.empty() || vertex < entries.front().vertex) return entries.end();
+  const auto at = static_cast<std::size_t>(vertex.value - entries.front().vertex.value);
+  if (at < entries.size() && entries[at].vertex == vertex)
+    return entries.begin() + static_cast<std::ptrdiff_t>(at);
+  const auto from = std::lower_bound(entries.begin(), entries.end(), vertex,
+                                     [](const Entry& e, VertexId v) { return e.vertex < v; });
+  return from != entries.end() && from->vertex == vertex ? from : entries.end();
+}
+
+VertexId parent(const Relabelling& change, VertexId vertex) {
+  const auto split = told(change.splits, vertex);
+  return split == change.splits.end() ? vertex : split->parent;
+}
+
+VertexId merged(const Relabelling& change, VertexId vertex) {
+  const auto merge = told(change.merges, vertex);
+  return merge == change.merges.end() ? vertex : merge->into;
+}
+
 template <int D>
 void verify_names(const Complex<D>& k, const Relabelling& change) {
   require(k.vertex_count() == change.vertices_after, "vertices are not counted right",
@@ -89,42 +145,49 @@ void verify_names(const Complex<D>& k, const Relabelling& change) {
   for (const RenamedCorner& renamed : change.corners) {
     require(renamed.from != renamed.to, "a corner is renamed to its own vertex",
             renamed.corner.value);
-    require(change.merges.empty() ? change.parent(renamed.to) == renamed.from
-                                  : change.merged(renamed.from) == renamed.to,
+    require(change.merges.empty() ? parent(change, renamed.to) == renamed.from
+                                  : merged(change, renamed.from) == renamed.to,
             "a corner got a vertex that is neither copy nor parent", renamed.corner.value);
     require(k.vertex(renamed.corner) == renamed.to, "a corner does not have its new vertex",
             renamed.corner.value);
   }
 }
 
+/// Whether the opened and the shut facets together are those of `cut`, ascending like these.
+bool opened_or_shut(const FacetSet& cut, const Relabelling& change) {
+  auto opened = change.opened.begin();
+  auto shut = change.shut.begin();
+  for (const HalfFacetId h : cut.half_facets())
+    if (opened != change.opened.end() && opened->half_facet == h)
+      ++opened;
+    else if (shut != change.shut.end() && *shut == h)
+      ++shut;
+    else
+      return false;
+  return opened == change.opened.end() && shut == change.shut.end();
+}
+
 /// The facets of `cut` are the opened and the shut ones, and what is said of them, and of closed
 /// ones, is so. The names of `change` are verified.
 template <int D>
 void verify_facets(const Complex<D>& k, const FacetSet& cut, const Relabelling& change) {
-  std::vector<HalfFacetId> named = change.shut;
-  for (const OpenedFacet& facet : change.opened) named.push_back(facet.half_facet);
-  std::inplace_merge(named.begin(), named.begin() + std::ssize(change.shut), named.end());
-  const auto asked = cut.half_facets();
-  require(std::equal(named.begin(), named.end(), asked.begin(), asked.end()),
-          "opened and shut facets are not those of the cut", static_cast<Index>(cut.size()));
+  require(opened_or_shut(cut, change), "opened and shut facets are not those of the cut",
+          static_cast<Index>(cut.size()));
   for (const HalfFacetId h : change.shut)
     require(k.is_interior(h), "a shut facet lost its mate", h.value);
   for (const OpenedFacet& facet : change.closed)
     require(k.mate(facet.half_facet) == facet.former_mate, "a closed facet has not its mate",
             facet.half_facet.value);
-  const auto parents = [&](HalfFacetId h) {
-    Facet<D> facet = k.facet(h);
-    for (VertexId& v : facet) v = change.parent(v);
-    std::sort(facet.begin(), facet.end());
-    return facet;
-  };
   for (const OpenedFacet& facet : change.opened) {
     require(!k.is_interior(facet.half_facet) && !k.is_interior(facet.former_mate),
             "an opened facet has a mate", facet.half_facet.value);
-    require(sorted_facet(k, facet.half_facet) != sorted_facet(k, facet.former_mate),
-            "an opened facet has the same vertices on both sides", facet.half_facet.value);
-    require(parents(facet.half_facet) == parents(facet.former_mate),
-            "an opened facet's sides do not come from one facet", facet.half_facet.value);
+    Facet<D> one = k.facet(facet.half_facet), other = k.facet(facet.former_mate);
+    require(!same_vertices(one, other), "an opened facet has the same vertices on both sides",
+            facet.half_facet.value);
+    for (VertexId& v : one) v = parent(change, v);
+    for (VertexId& v : other) v = parent(change, v);
+    require(same_vertices(one, other), "an opened facet's sides do not come from one facet",
+            facet.half_facet.value);
   }
 }
 
@@ -135,52 +198,51 @@ class StarWalks {
   explicit StarWalks(const Complex<D>& k) : k_(k) {}
 
   /// Walks around the vertex of `start`, unless an earlier walk came past this corner, and verifies
-  /// the mates it crosses.
+  /// the mates it crosses, each once. The vertex must name the least corner that the walk comes
+  /// past; so there is no second walk around it, and its star is one part.
   void walk(CornerId start) {
     if (!reached_.insert(start)) return;
     const VertexId vertex = k_.vertex(start);
-    vertices_.push_back(vertex);
-    corners_.assign(1, start);
-    for (std::size_t next = 0; next < corners_.size(); ++next) {
-      const CornerId corner = corners_[next];
+    CornerId least = start;
+    star_.assign(1, {start, start});
+    for (std::size_t next = 0; next < star_.size(); ++next) {
+      const auto [corner, through] = star_[next];
+      least = std::min(least, corner);
       for (int i = 0; i <= D; ++i) {
         const HalfFacetId h = half_facet<D>(cell_of<D>(corner), i);
         if (h == corner) continue;
         require(k_.vertex(h) != vertex, "a cell has a vertex twice", cell_of<D>(h).value);
-        const auto mate = k_.mate(h);
-        if (!mate) continue;
-        const auto& across = k_.vertices(cell_of<D>(*mate));
-        const auto place = std::find(across.begin(), across.end(), vertex) - across.begin();
-        require(place <= D && place != local_index<D>(*mate),
-                "mates differ in vertices at half-facet", h.value);
-        if (h < *mate)
-          verify_mates(k_, h, *mate);
-        else  // verified when the walk comes back through it
-          require(k_.mate(*mate) == h, "mates do not name each other at half-facet", h.value);
-        const CornerId neighbour = half_facet<D>(cell_of<D>(*mate), static_cast<int>(place));
-        if (reached_.insert(neighbour)) corners_.push_back(neighbour);
+        if (h == through) continue;  // verified on the way in
+        if (const auto mate = k_.mate(h)) cross(h, *mate, vertex);
       }
     }
-  }
-
-  /// Every star was walked from several corners as a rule; one walk must have reached them all.
-  void verify_one_walk_each() {
-    std::sort(vertices_.begin(), vertices_.end());
-    const auto twice = std::adjacent_find(vertices_.begin(), vertices_.end());
-    require(twice == vertices_.end(), "the star of a vertex is not one part",
-            twice == vertices_.end() ? 0 : twice->value);
-    for (const VertexId vertex : vertices_) {
-      const auto corner = k_.a_corner(vertex);
-      require(corner && k_.vertex(*corner) == vertex && reached_.contains(*corner),
-              "a vertex names a corner that is not in its star", vertex.value);
-    }
+    if (k_.a_corner(vertex) != least)
+      fail("the star of a vertex is not one part, or it does not name its least corner",
+           vertex.value);
   }
 
  private:
+  struct Reached {
+    CornerId corner;
+    HalfFacetId through;  // where the walk came in; the corner itself, where it began
+  };
+
+  void cross(HalfFacetId h, HalfFacetId mate, VertexId vertex) {
+    require(k_.mate(mate) == h, "mates do not name each other at half-facet", h.value);
+    const Cell<D>& across = k_.vertices(cell_of<D>(mate));
+    int place = 0;
+    while (place <= D && across[static_cast<std::size_t>(place)] != vertex) ++place;
+    require(place <= D && place != local_index<D>(mate), "mates differ in vertices at half-facet",
+            h.value);
+    const CornerId corner = half_facet<D>(cell_of<D>(mate), place);
+    const bool is_new = reached_.insert(corner);
+    if (is_new) star_.push_back({corner, mate});
+    if (is_new || h < mate) verify_mates(k_, h, mate);  // else seen from the other side, too
+  }
+
   const Complex<D>& k_;
-  detail::CornerSet reached_;
-  std::vector<VertexId> vertices_;  // walked around
-  std::vector<CornerId> corners_;   // of the walk under way
+  detail::CornerMarks reached_;
+  std::vector<Reached> star_;  // of the walk under way
 };
 
 }  // namespace
@@ -205,7 +267,6 @@ void verify_touched(const Complex<D>& k, const FacetSet& cut, const Relabelling&
     walk_around(h);
     walk_around(*k.mate(h));
   }
-  walks.verify_one_walk_each();
 }
 
 template <int D>
@@ -220,7 +281,10 @@ void verify_all(const Complex<D>& k) {
     if (!std::holds_alternative<OrphanVertex>(violation))
       throw InvariantBroken(describe(violation));
   for (Index h = 0; h < k.half_facet_count(); ++h)
-    if (const auto mate = k.mate(HalfFacetId{h})) verify_mates(k, HalfFacetId{h}, *mate);
+    if (const auto mate = k.mate(HalfFacetId{h})) {
+      require(k.mate(*mate) == HalfFacetId{h}, "mates do not name each other at half-facet", h);
+      verify_mates(k, HalfFacetId{h}, *mate);
+    }
 }
 
 #define CLEAVE_INSTANTIATE(D)                                                              \

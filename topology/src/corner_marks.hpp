@@ -1,0 +1,61 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "cleave/topology/ids.hpp"
+#include "hash_bits.hpp"
+
+namespace cleave::topology::detail {
+
+/// Corners that walks around many neighbouring vertices have come past: 256 corners of neighbouring
+/// cells share a slot of a hash table with open addressing, at most half full. For a single star,
+/// whose corners share few slots, CornerSet is smaller.
+class CornerMarks {
+ public:
+  /// Whether `corner` was not in the set; it is afterwards.
+  bool insert(CornerId corner) {
+    Slot& slot = slots_[slot_of(corner.value / kBlock)];
+    std::uint64_t& word = slot.corners[corner.value % kBlock / 64];
+    const std::uint64_t bit = std::uint64_t{1} << corner.value % 64;
+    if ((word & bit) != 0) return false;
+    word |= bit;
+    if (slot.block == kFree) {
+      slot.block = corner.value / kBlock;
+      if (2 * ++used_ > slots_.size()) grow();
+    }
+    return true;
+  }
+
+ private:
+  static constexpr Index kBlock = 256;
+  static constexpr int kLeastBits = 5;
+  static constexpr Index kFree = kNoIndex;
+
+  struct Slot {
+    Index block = kFree;
+    std::array<std::uint64_t, kBlock / 64> corners{};  // a bit for each
+  };
+
+  /// Where `block` is, or the free slot where it belongs.
+  std::size_t slot_of(Index block) const {
+    std::size_t slot = hash_bits(block, bits_);
+    while (slots_[slot].block != block && slots_[slot].block != kFree)
+      slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+  }
+  void grow() {
+    const std::vector<Slot> before = std::exchange(slots_, std::vector<Slot>(2 * slots_.size()));
+    ++bits_;
+    for (const Slot& slot : before)
+      if (slot.block != kFree) slots_[slot_of(slot.block)] = slot;
+  }
+
+  std::vector<Slot> slots_ = std::vector<Slot>(std::size_t{1} << kLeastBits);
+  int bits_ = kLeastBits;
+  std::size_t used_ = 0;
+};
+
+}  // namespace cleave::topology::detail
