@@ -96,7 +96,7 @@ class Complex {
     return local_index<D>(h) % 2 == 0 ? sign(cell_of<D>(h)) : -sign(cell_of<D>(h));
   }
 
-  /// Some corner at `vertex`; none if no cell uses the vertex.
+  /// The least corner at `vertex`; none if no cell uses the vertex.
   std::optional<CornerId> a_corner(VertexId vertex) const {
     assert(vertex.value < vertex_count());
     const CornerId corner = vertex.value < a_corner_.size()
