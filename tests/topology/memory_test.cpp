@@ -1,6 +1,7 @@
 // What a cut asks of the heap: little, and when it gets none, nothing has happened.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -187,6 +188,65 @@ TYPED_TEST(Memory, PropertiesThatRunOutOfItAllStay) {
   };
   follow(incision.cut(dense_cut(incision.complex())));
   follow(incision.undo());
+}
+
+/// How many allocations the calls of a round take in the third round and later.
+template <class Round>
+std::size_t allocations_in_steady_state(Round round) {
+  round();
+  round();
+  const std::size_t before = support::allocations();
+  for (int n = 0; n < 5; ++n) round();
+  return support::allocations() - before;
+}
+
+TYPED_TEST(Memory, CutsAndStitchesInSteadyStateAskForNone) {
+  constexpr int D = TypeParam::value;
+  const auto original = complex_of<D>(kuhn_cube<D>(D <= 2 ? 5 : 3));
+  const FacetSet cut = dense_cut(original), third = every(3, cut), half = every(2, cut);
+  std::vector<HalfFacetId> named(cut.half_facets().begin(), cut.half_facets().end());
+  std::reverse(named.begin(), named.end());
+  for (const Verify verify : {Verify::none}) {
+    Incision<D> incision(original);
+    VertexProperties properties(incision.complex().vertex_count());
+    const auto& number = properties.add_constant("number", 7);
+    const auto& weight = properties.add_constant("weight", 1.0, merging::Sum{});
+    properties.add_constant("heat", 2.0, merging::MeanBy{weight});
+    Relabelling change;
+    FacetSet facets;
+    const auto follow = [&] { properties.follow(change); };
+    EXPECT_EQ(allocations_in_steady_state([&] {
+                incision.facets(named, facets);
+                incision.cut(facets, change, verify);
+                follow();
+                incision.stitch(third, change, verify);  // leaves free ids
+                follow();
+                incision.cut(half, change, verify);
+                follow();
+                for (int n = 0; n < 3; ++n) incision.undo(change, verify), follow();
+                for (int n = 0; n < 3; ++n) incision.redo(change, verify), follow();
+                incision.stitch(cut, change, verify);
+                follow();
+                incision.forget_steps();
+              }),
+              0u);
+    EXPECT_EQ(number.values(), std::vector<int>(original.vertex_count(), 7));
+
+    incision.keep_steps(2);
+    EXPECT_EQ(allocations_in_steady_state([&] {
+                for (int n = 0; n < 10; ++n) {
+                  incision.cut(third, change, verify);
+                  incision.cut(cut, change, verify);
+                  incision.stitch(half, change, verify);
+                  incision.stitch(cut, change, verify);
+                }
+              }),
+              0u);
+    incision.undo();
+    incision.undo();
+    EXPECT_FALSE(incision.can_undo());
+    EXPECT_EQ(incision.scored(), cut);
+  }
 }
 
 /// The most bytes that a cut along all interior facets around the middle vertex of a grid holds.

@@ -1,11 +1,11 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
-#include "cleave/topology/unglue.hpp"
+#include "cleave/topology/ids.hpp"
 
 /// Ids of copies that ceased to exist, to be used again: a heap, least id first, without
 /// repetitions. Those below the bound on ids are exactly the unused ids of copies; those above it
@@ -19,41 +19,44 @@ inline void set_free(std::vector<VertexId>& heap, VertexId id) {
   std::push_heap(heap.begin(), heap.end(), std::greater<>());
 }
 
-/// Hands out new ids, ascending: first the least free ones, then those from the bound on.
+/// Hands out new ids, ascending: first the least free ones, then those from the bound on. What was
+/// handed out stays behind the heap until `keep`, so that it can be given back without memory.
 class NewIds {
  public:
-  NewIds(std::vector<VertexId>& heap, Index bound) : heap_(heap), bound_(bound) {}
+  NewIds(std::vector<VertexId>& heap, Index bound)
+      : heap_(heap), bound_(bound), free_(heap.size()), reused_(heap.size()) {}
 
-  void make_room(std::size_t ids) { reused_.reserve(std::min(ids, heap_.size())); }
-
-  /// Requires room for it. Does not throw.
+  /// Does not throw.
   VertexId next() {
-    if (!heap_.empty() && heap_.front().value >= bound_) heap_.clear();
-    if (heap_.empty()) return {bound_++};
-    std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
-    reused_.push_back(heap_.back());
-    heap_.pop_back();
-    return reused_.back();
+    if (free_ != 0 && heap_.front().value >= bound_) free_ = 0;  // none of them is an id
+    if (free_ == 0) return {bound_++};
+    std::pop_heap(heap_.begin(), at(free_), std::greater<>());
+    reused_ = --free_;
+    return heap_[reused_];
   }
 
   /// All ids are below this number.
   Index bound() const { return bound_; }
-  const std::vector<VertexId>& reused() const { return reused_; }
+  std::span<const VertexId> reused() const { return std::span(heap_).subspan(reused_); }
+
+  /// What was handed out is in use.
+  void keep() noexcept { heap_.resize(free_); }
 
   void give_back() noexcept {
-    for (const VertexId id : reused_) set_free(heap_, id);
-    reused_.clear();
+    if (free_ < reused_) heap_.erase(heap_.begin(), at(reused_));
+    std::make_heap(heap_.begin(), heap_.end(), std::greater<>());
+    free_ = reused_ = heap_.size();
   }
 
  private:
+  std::vector<VertexId>::iterator at(std::size_t n) {
+    return heap_.begin() + static_cast<std::ptrdiff_t>(n);
+  }
+
   std::vector<VertexId>& heap_;
   Index bound_;
-  std::vector<VertexId> reused_;
+  std::size_t free_;    // the first of heap_, which are a heap
+  std::size_t reused_;  // from here on
 };
-
-/// unglue, whose new vertices take the ids of `heap` first.
-template <int D>
-Relabelling unglue_with_ids(Complex<D>& k, const FacetSet& cut, Verify verify,
-                            std::vector<VertexId>& heap);
 
 }  // namespace cleave::topology::detail

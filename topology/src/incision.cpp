@@ -116,7 +116,7 @@ void Incision<D>::score(std::span<const HalfFacetId> facets, Relabelling& change
   // All memory first, so that the records cannot miss what the complex has undergone.
   detail::make_room(original_of_copy_, 2 * static_cast<std::size_t>(D) * memory.cut.size());
   detail::refill(memory.shut, [&](auto& shut) { shut.reserve(memory.cut.size()); });
-  change = detail::unglue_with_ids(complex_, memory.cut, verify, free_);
+  detail::unglue_with_ids(complex_, memory.cut, verify, free_, memory.unglue, change);
 
   original_of_copy_.resize(change.vertices_after - original_vertex_count_);
   for (const Split& split : change.splits)

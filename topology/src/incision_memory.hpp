@@ -7,6 +7,7 @@
 #include "cleave/topology/incision.hpp"
 #include "facet_mates.hpp"
 #include "prefetch.hpp"
+#include "unglue_scratch.hpp"
 #include "vertex_unions.hpp"
 
 namespace cleave::topology::detail {
@@ -23,6 +24,7 @@ struct IncisionMemory {
 
   std::vector<HalfFacetId> asked;  // by which a step changes the scored set
   FacetSet cut, shut;
+  UnglueScratch unglue;
   VertexUnions unions;
   std::vector<FacetMates> taken_back;  // facets that a stitch closes
   std::vector<HalfFacetId> others;     // facets that it may close

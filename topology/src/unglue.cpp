@@ -47,6 +47,7 @@ class Ungluing {
       commit(change);
       if (verify != Verify::none) verify_touched(k_, cut, change);
       if (verify == Verify::all) verify_all(k_);
+      new_ids_.keep();
     } catch (...) {
       roll_back(change);
       throw;
@@ -120,7 +121,6 @@ class Ungluing {
     const std::vector<Copy>& copies = scratch_.copies;
     change.splits.clear();
     change.splits.reserve(copies.size());
-    new_ids_.make_room(copies.size());
     for (const Copy& copy : copies) change.splits.push_back({new_ids_.next(), copy.parent});
     change.vertices_after = new_ids_.bound();
     detail::sort_ids(scratch_.corners, scratch_.spare_corners);
@@ -209,15 +209,9 @@ class Ungluing {
 template <int D>
 Relabelling unglue(Complex<D>& k, const FacetSet& cut, Verify verify) {
   std::vector<VertexId> none;
-  return detail::unglue_with_ids(k, cut, verify, none);
-}
-
-template <int D>
-Relabelling detail::unglue_with_ids(Complex<D>& k, const FacetSet& cut, Verify verify,
-                                    std::vector<VertexId>& heap) {
-  UnglueScratch scratch;
+  detail::UnglueScratch scratch;
   Relabelling change;
-  unglue_with_ids(k, cut, verify, heap, scratch, change);
+  detail::unglue_with_ids(k, cut, verify, none, scratch, change);
   return change;
 }
 
@@ -228,11 +222,9 @@ void detail::unglue_with_ids(Complex<D>& k, const FacetSet& cut, Verify verify,
   Ungluing<D>(k, cut, heap, scratch).run(cut, verify, change);
 }
 
-#define CLEAVE_INSTANTIATE(D)                                                           \
-  template Relabelling unglue<D>(Complex<D>&, const FacetSet&, Verify);                 \
-  template Relabelling detail::unglue_with_ids<D>(Complex<D>&, const FacetSet&, Verify, \
-                                                  std::vector<VertexId>&);              \
-  template void detail::unglue_with_ids<D>(Complex<D>&, const FacetSet&, Verify,        \
+#define CLEAVE_INSTANTIATE(D)                                                    \
+  template Relabelling unglue<D>(Complex<D>&, const FacetSet&, Verify);          \
+  template void detail::unglue_with_ids<D>(Complex<D>&, const FacetSet&, Verify, \
                                            std::vector<VertexId>&, UnglueScratch&, Relabelling&);
 CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
