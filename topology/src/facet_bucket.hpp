@@ -75,7 +75,7 @@ class FacetBucket {
           word = word << (64 / kPerWord % 64) | vertex_of(v[i]);
         }
     }
-    size_ += vertex_of(v[1]) < least_ ? 1 : D;
+    size_ += 1 + (D - 1) * static_cast<std::size_t>(vertex_of(v[1]) > least_);
   }
 
   /// Matches the facets and writes their mates, kNone for those that are alone. Whether all is
