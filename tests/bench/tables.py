@@ -13,6 +13,8 @@ import re
 import sys
 
 import figures
+import peer_table
+from peer_table import digits
 
 
 def count(number):
@@ -21,13 +23,6 @@ def count(number):
         if number >= unit:
             return f"{number / unit:.1f}".removesuffix(".0") + name
     return f"{number:,}".replace(",", " ")
-
-
-def digits(value):
-    """Three digits that mean something."""
-    if value >= 1000:
-        return f"{float(f'{value:.3g}'):,.0f}".replace(",", " ")
-    return f"{value:.0f}" if value >= 100 else f"{value:.1f}" if value >= 10 else f"{value:.2f}"
 
 
 def mesh(given):
@@ -43,8 +38,7 @@ def caches(given):
 
 
 class Table:
-    """Columns are (heading, what to show): a counter's name, or a function of the parameters.
-    Without columns: the row's name and all counters there are."""
+    """Columns are (heading, what to show): a counter's name, or a function of the parameters."""
 
     program = "topology_bench"
 
@@ -52,16 +46,10 @@ class Table:
         self.title, self.pattern, self.columns = title, pattern, columns
 
     def lines(self, counters):
-        columns = self.columns or self.all_columns(counters)
-        yield "| " + " | ".join(heading for heading, _ in columns) + " |"
-        yield "|---" * len(columns) + "|"
+        yield "| " + " | ".join(heading for heading, _ in self.columns) + " |"
+        yield "|---" * len(self.columns) + "|"
         for name, values in counters.items():
-            yield "| " + " | ".join(self.cell(what, name, values) for _, what in columns) + " |"
-
-    @staticmethod
-    def all_columns(counters):
-        names = dict.fromkeys(counter for values in counters.values() for counter in values)
-        return [("", "benchmark"), *((name.replace("_", " "), name) for name in names)]
+            yield "| " + " | ".join(self.cell(what, name, values) for _, what in self.columns) + " |"
 
     @staticmethod
     def cell(what, name, values):
@@ -77,7 +65,20 @@ class Table:
 
 
 class PeerTable(Table):
+    """One table for each dimension, as peer_table.py prints them."""
+
     program = "peers_bench"
+
+    def lines(self, counters):
+        by_dimension = {}
+        for name, values in counters.items():
+            dimension, row = name.split("/")[1:3]
+            by_dimension.setdefault(dimension, {})[row] = values
+        for dimension, rows in by_dimension.items():
+            yield f"D = {dimension[1:]}:"
+            yield ""
+            yield from peer_table.lines(rows)
+            yield ""
 
 
 TETS = ("tetrahedra", mesh)
