@@ -148,7 +148,9 @@ void find_pinched_of_size(std::span<const Cell<D>> cells, const std::vector<Half
   for (Index v = 0, begin = 0; v < vertex_count; begin = end[v++]) {
     const auto bucket = std::span(all).subspan(begin, end[v] - begin);
     std::sort(bucket.begin(), bucket.end(), [](const FirstMet& a, const FirstMet& b) {
-      return a.others != b.others ? a.others < b.others : a.cell < b.cell;
+      for (std::size_t n = 0; n + 1 < Size; ++n)
+        if (a.others[n] != b.others[n]) return a.others[n] < b.others[n];
+      return a.cell < b.cell;
     });
     for (auto first = bucket.begin(), last = first; first != bucket.end(); first = last) {
       while (last != bucket.end() && last->others == first->others) ++last;
