@@ -206,7 +206,7 @@ TYPED_TEST(Memory, CutsAndStitchesInSteadyStateAskForNone) {
   const FacetSet cut = dense_cut(original), third = every(3, cut), half = every(2, cut);
   std::vector<HalfFacetId> named(cut.half_facets().begin(), cut.half_facets().end());
   std::reverse(named.begin(), named.end());
-  for (const Verify verify : {Verify::none}) {
+  for (const Verify verify : {Verify::none, Verify::touched}) {
     Incision<D> incision(original);
     VertexProperties properties(incision.complex().vertex_count());
     const auto& number = properties.add_constant("number", 7);

@@ -1,8 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "cleave/topology/ids.hpp"
@@ -24,9 +24,16 @@ class CornerMarks {
     word |= bit;
     if (slot.block == kFree) {
       slot.block = corner.value / kBlock;
-      if (2 * ++used_ > slots_.size()) grow();
+      if (2 * ++used_ > used_slots()) grow();
     }
     return true;
+  }
+
+  /// Keeps the memory. Time: linear in what was marked since the last time.
+  void clear() {
+    std::fill_n(slots_.begin(), used_slots(), Slot{});
+    bits_ = kLeastBits;
+    used_ = 0;
   }
 
  private:
@@ -43,18 +50,23 @@ class CornerMarks {
   std::size_t slot_of(Index block) const {
     std::size_t slot = hash_bits(block, bits_);
     while (slots_[slot].block != block && slots_[slot].block != kFree)
-      slot = (slot + 1) & (slots_.size() - 1);
+      slot = (slot + 1) & (used_slots() - 1);
     return slot;
   }
   void grow() {
-    const std::vector<Slot> before = std::exchange(slots_, std::vector<Slot>(2 * slots_.size()));
+    const std::size_t before = used_slots();
+    if (spare_.size() < 2 * before) spare_.resize(2 * before);
+    std::fill_n(spare_.begin(), 2 * before, Slot{});
+    slots_.swap(spare_);
     ++bits_;
-    for (const Slot& slot : before)
-      if (slot.block != kFree) slots_[slot_of(slot.block)] = slot;
+    for (std::size_t n = 0; n < before; ++n)
+      if (spare_[n].block != kFree) slots_[slot_of(spare_[n].block)] = spare_[n];
   }
+  std::size_t used_slots() const { return std::size_t{1} << bits_; }
 
   std::vector<Slot> slots_ = std::vector<Slot>(std::size_t{1} << kLeastBits);
-  int bits_ = kLeastBits;
+  std::vector<Slot> spare_;  // the table before it grew
+  int bits_ = kLeastBits;    // of the slots in use
   std::size_t used_ = 0;
 };
 

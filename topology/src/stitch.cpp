@@ -287,7 +287,8 @@ void Incision<D>::take_back(std::span<const HalfFacetId> facets, Relabelling& ch
   try {
     stitching.run();
     detail::refill(memory.cut, [&](auto& shut) { shut = change.shut; });
-    if (verify != Verify::none) verify_touched(complex_, memory.cut, change);
+    if (verify != Verify::none)
+      detail::verify_touched(complex_, memory.cut, change, memory.unglue.verify);
     if (verify == Verify::all) verify_all(complex_);
     detail::refill(memory.shut, [&](std::vector<HalfFacetId>& shut) {
       const auto before = shut_.half_facets();

@@ -45,7 +45,7 @@ class Ungluing {
       find_vertices();
       for (std::size_t n = 0; n < scratch_.vertices.size(); ++n) split(n);
       commit(change);
-      if (verify != Verify::none) verify_touched(k_, cut, change);
+      if (verify != Verify::none) detail::verify_touched(k_, cut, change, scratch_.verify);
       if (verify == Verify::all) verify_all(k_);
       new_ids_.keep();
     } catch (...) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "cleave/topology/unglue.hpp"
+#include "verify_scratch.hpp"
 
 namespace cleave::topology::detail {
 
@@ -27,6 +28,7 @@ struct UnglueScratch {
   std::vector<CornerId> candidates;  // of that star, beyond severed facets
   std::vector<Copy> copies;
   std::vector<CornerId> corners;  // of all copies
+  VerifyScratch verify;
   std::vector<VertexId> spare_vertices;
   std::vector<CornerId> spare_corners;
 };

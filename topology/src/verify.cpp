@@ -6,8 +6,8 @@
 #include "cleave/topology/check.hpp"
 #include "cleave/topology/unglue.hpp"
 #include "cleave/topology/violation.hpp"
-#include "corner_marks.hpp"
 #include "dimensions.hpp"
+#include "verify_scratch.hpp"
 
 namespace cleave::topology {
 namespace {
@@ -195,7 +195,10 @@ void verify_facets(const Complex<D>& k, const FacetSet& cut, const Relabelling& 
 template <int D>
 class StarWalks {
  public:
-  explicit StarWalks(const Complex<D>& k) : k_(k) {}
+  StarWalks(const Complex<D>& k, detail::VerifyScratch& scratch)
+      : k_(k), reached_(scratch.reached), star_(scratch.star) {
+    reached_.clear();
+  }
 
   /// Walks around the vertex of `start`, unless an earlier walk came past this corner, and verifies
   /// the mates it crosses, each once. The vertex must name the least corner that the walk comes
@@ -222,11 +225,6 @@ class StarWalks {
   }
 
  private:
-  struct Reached {
-    CornerId corner;
-    HalfFacetId through;  // where the walk came in; the corner itself, where it began
-  };
-
   void cross(HalfFacetId h, HalfFacetId mate, VertexId vertex) {
     require(k_.mate(mate) == h, "mates do not name each other at half-facet", h.value);
     const Cell<D>& across = k_.vertices(cell_of<D>(mate));
@@ -241,17 +239,24 @@ class StarWalks {
   }
 
   const Complex<D>& k_;
-  detail::CornerMarks reached_;
-  std::vector<Reached> star_;  // of the walk under way
+  detail::CornerMarks& reached_;
+  std::vector<detail::VerifyScratch::Reached>& star_;  // of the walk under way
 };
 
 }  // namespace
 
 template <int D>
 void verify_touched(const Complex<D>& k, const FacetSet& cut, const Relabelling& change) {
+  detail::VerifyScratch scratch;
+  detail::verify_touched(k, cut, change, scratch);
+}
+
+template <int D>
+void detail::verify_touched(const Complex<D>& k, const FacetSet& cut, const Relabelling& change,
+                            VerifyScratch& scratch) {
   verify_names(k, change);
   verify_facets(k, cut, change);
-  StarWalks<D> walks(k);
+  StarWalks<D> walks(k, scratch);
   for (const RenamedCorner& renamed : change.corners) walks.walk(renamed.corner);
   // Each class of corners at a vertex of the cut has a corner on a side of one of its facets.
   const auto walk_around = [&](HalfFacetId side) {
@@ -287,8 +292,10 @@ void verify_all(const Complex<D>& k) {
     }
 }
 
-#define CLEAVE_INSTANTIATE(D)                                                              \
-  template void verify_touched<D>(const Complex<D>&, const FacetSet&, const Relabelling&); \
+#define CLEAVE_INSTANTIATE(D)                                                                     \
+  template void verify_touched<D>(const Complex<D>&, const FacetSet&, const Relabelling&);        \
+  template void detail::verify_touched<D>(const Complex<D>&, const FacetSet&, const Relabelling&, \
+                                          VerifyScratch&);                                        \
   template void verify_all<D>(const Complex<D>&);
 CLEAVE_FOR_EACH_DIMENSION(CLEAVE_INSTANTIATE)
 #undef CLEAVE_INSTANTIATE
