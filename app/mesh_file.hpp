@@ -5,8 +5,8 @@
 #include <string>
 
 #include "mesh.hpp"
-#include "progress.hpp"
 #include "mesh_formats.hpp"
+#include "progress.hpp"
 
 namespace cleave::app {
 

@@ -47,8 +47,8 @@ class CellView {
 
 /// Throws std::length_error if `cells` cells of dimension `dimension`, or `vertices` vertices, do
 /// not fit the ids (corners are numbered up to (dimension+1)*cells, in one bit less: it marks
-/// half-facets without mate; of vertices the largest value is kept for "none"). Called by everything
-/// that numbers corners.
+/// half-facets without mate; of vertices the largest value is kept for "none"). Called by
+/// everything that numbers corners.
 void require_ids_suffice(int dimension, std::size_t cells, std::size_t vertices);
 
 }  // namespace cleave::topology
