@@ -29,6 +29,11 @@ class CornerMarks {
     return true;
   }
 
+  bool contains(CornerId corner) const {
+    const Slot& slot = slots_[slot_of(corner.value / kBlock)];  // a free one holds no bits
+    return (slot.corners[corner.value % kBlock / 64] >> corner.value % 64 & 1u) != 0;
+  }
+
   /// Keeps the memory. Time: linear in what was marked since the last time.
   void clear() {
     std::fill_n(slots_.begin(), used_slots(), Slot{});

@@ -7,6 +7,7 @@
 #include "cleave/topology/unglue.hpp"
 #include "cleave/topology/violation.hpp"
 #include "dimensions.hpp"
+#include "star_cells.hpp"
 #include "verify_scratch.hpp"
 
 namespace cleave::topology {
@@ -46,6 +47,19 @@ std::size_t place_in(const std::array<VertexId, N>& tuple, VertexId vertex) {
   return place;
 }
 
+/// Whether the facets opposite two places of two cells are the same, vertex by vertex, as most are
+/// where the vertices of cells ascend. Without branches.
+template <std::size_t N>
+[[gnu::always_inline]] inline bool in_same_order(const std::array<VertexId, N>& one,
+                                                 std::size_t opposite,
+                                                 const std::array<VertexId, N>& other,
+                                                 std::size_t back) {
+  bool same = true;
+  for (std::size_t i = 0; i + 1 < N; ++i)
+    same &= one[i + (i >= opposite ? 1 : 0)] == other[i + (i >= back ? 1 : 0)];
+  return same;
+}
+
 /// Whether each entry of one facet is found at a place of its own in the other.
 template <std::size_t N>
 bool same_vertices(const std::array<VertexId, N>& one, const std::array<VertexId, N>& other) {
@@ -61,14 +75,19 @@ bool same_vertices(const std::array<VertexId, N>& one, const std::array<VertexId
 /// induced on them: when the vertices opposite the facet count as the same, one cell is an odd
 /// permutation of the other if their signs agree, an even one if they differ.
 template <int D>
-void verify_mates(const Complex<D>& k, HalfFacetId h, HalfFacetId m) {
+[[gnu::always_inline]] inline void verify_mates(const Complex<D>& k, HalfFacetId h, HalfFacetId m) {
   const Cell<D>& one = k.vertices(cell_of<D>(h));
   const Cell<D>& other = k.vertices(cell_of<D>(m));
   const auto opposite = static_cast<std::size_t>(local_index<D>(h));
+  const auto back = static_cast<std::size_t>(local_index<D>(m));
+  if (in_same_order(one, opposite, other, back)) {
+    require((opposite + back) % 2 == (k.sign(cell_of<D>(h)) == k.sign(cell_of<D>(m)) ? 1 : 0),
+            "mates have the same orientation at half-facet", h.value);
+    return;
+  }
   Places places;
   for (std::size_t i = 0; i <= D; ++i) {
-    const std::size_t place =
-        i == opposite ? static_cast<std::size_t>(local_index<D>(m)) : place_in(other, one[i]);
+    const std::size_t place = i == opposite ? back : place_in(other, one[i]);
     require(place <= D && places.take(place), "mates differ in vertices at half-facet", h.value);
   }
   require(places.is_odd() == (k.sign(cell_of<D>(h)) == k.sign(cell_of<D>(m))),
@@ -112,7 +131,7 @@ void verify_merges(const Complex<D>& k, const Relabelling& change) {
 /// Where `vertex` is told of in `entries`, ascending by vertex, or their end. New ids follow each
 /// other as a rule, so that its place can be computed.
 template <class Entry>
-auto told(const std::vector<Entry>& entries, VertexId vertex) {
+[[gnu::always_inline]] inline auto told(const std::vector<Entry>& entries, VertexId vertex) {
   if (entries.empty() || vertex < entries.front().vertex) return entries.end();
   const auto at = static_cast<std::size_t>(vertex.value - entries.front().vertex.value);
   if (at < entries.size() && entries[at].vertex == vertex)
@@ -122,7 +141,7 @@ auto told(const std::vector<Entry>& entries, VertexId vertex) {
   return from != entries.end() && from->vertex == vertex ? from : entries.end();
 }
 
-VertexId parent(const Relabelling& change, VertexId vertex) {
+[[gnu::always_inline]] inline VertexId parent(const Relabelling& change, VertexId vertex) {
   const auto split = told(change.splits, vertex);
   return split == change.splits.end() ? vertex : split->parent;
 }
@@ -194,9 +213,11 @@ void verify_facets(const Complex<D>& k, const FacetSet& cut, const Relabelling& 
 /// Walks around vertices from given corners. Shares no code with unglue.
 template <int D>
 class StarWalks {
+  using Reached = detail::VerifyScratch::Reached;
+
  public:
   StarWalks(const Complex<D>& k, detail::VerifyScratch& scratch)
-      : k_(k), reached_(scratch.reached), star_(scratch.star) {
+      : k_(k), reached_(scratch.reached), star_(scratch.star), cells_(scratch.star_cells) {
     reached_.clear();
   }
 
@@ -204,43 +225,62 @@ class StarWalks {
   /// the mates it crosses, each once. The vertex must name the least corner that the walk comes
   /// past; so there is no second walk around it, and its star is one part.
   void walk(CornerId start) {
-    if (!reached_.insert(start)) return;
+    if (!reached_.contains(start)) walk_from(start);
+  }
+
+ private:
+  void walk_from(CornerId start) {
     const VertexId vertex = k_.vertex(start);
+    const HalfFacetId* const mates = k_.mates().data();
+    const std::size_t half_facets = k_.half_facet_count();
+    const Cell<D>* const cells = k_.cells().data();
     CornerId least = start;
     star_.assign(1, {start, start});
+    cells_.begin();
+    cells_.add(cells_.at(cell_of<D>(start)), start, star_);
     for (std::size_t next = 0; next < star_.size(); ++next) {
       const auto [corner, through] = star_[next];
       least = std::min(least, corner);
+      const CellId cell = cell_of<D>(corner);
+      int times = 0;
+      for (const VertexId v : cells[cell.value]) times += v == vertex ? 1 : 0;
+      require(times == 1, "a cell has a vertex twice", cell.value);
+      const HalfFacetId first = half_facet<D>(cell, 0);
       for (int i = 0; i <= D; ++i) {
-        const HalfFacetId h = half_facet<D>(cell_of<D>(corner), i);
-        if (h == corner) continue;
-        require(k_.vertex(h) != vertex, "a cell has a vertex twice", cell_of<D>(h).value);
-        if (h == through) continue;  // verified on the way in
-        if (const auto mate = k_.mate(h)) cross(h, *mate, vertex);
+        const HalfFacetId h{first.value + static_cast<Index>(i)};
+        if (h == corner || h == through) continue;  // `through` was verified on the way in
+        const HalfFacetId mate = mates[h.value];
+        if (mate.value >= half_facets) continue;
+        require(mates[mate.value] == h, "mates do not name each other at half-facet", h.value);
+        if (reach(h, mate, vertex) || h < mate)
+          verify_mates(k_, h, mate);  // else seen from the other side
       }
     }
     if (k_.a_corner(vertex) != least)
       fail("the star of a vertex is not one part, or it does not name its least corner",
            vertex.value);
+    for (const Reached& there : star_) reached_.insert(there.corner);
   }
 
- private:
-  void cross(HalfFacetId h, HalfFacetId mate, VertexId vertex) {
-    require(k_.mate(mate) == h, "mates do not name each other at half-facet", h.value);
-    const Cell<D>& across = k_.vertices(cell_of<D>(mate));
-    int place = 0;
-    while (place <= D && across[static_cast<std::size_t>(place)] != vertex) ++place;
-    require(place <= D && place != local_index<D>(mate), "mates differ in vertices at half-facet",
-            h.value);
-    const CornerId corner = half_facet<D>(cell_of<D>(mate), place);
-    const bool is_new = reached_.insert(corner);
-    if (is_new) star_.push_back({corner, mate});
-    if (is_new || h < mate) verify_mates(k_, h, mate);  // else seen from the other side, too
+  /// Comes to the corner beyond `h`; true for the first time.
+  bool reach(HalfFacetId h, HalfFacetId mate, VertexId vertex) {
+    Index& known = cells_.at(cell_of<D>(mate));
+    if (known != kNoIndex) {
+      require(known != mate.value, "mates differ in vertices at half-facet", h.value);
+      return false;
+    }
+    const std::size_t place = place_in(k_.vertices(cell_of<D>(mate)), vertex);
+    const CornerId corner = half_facet<D>(cell_of<D>(mate), static_cast<int>(place));
+    require(place <= D && corner != mate, "mates differ in vertices at half-facet", h.value);
+    star_.push_back({corner, mate});
+    cells_.add(known, corner, star_);
+    return true;
   }
 
   const Complex<D>& k_;
-  detail::CornerMarks& reached_;
-  std::vector<detail::VerifyScratch::Reached>& star_;  // of the walk under way
+  detail::CornerMarks& reached_;  // by all walks
+  std::vector<Reached>& star_;    // of the walk under way
+  detail::StarCells<D> cells_;    // the same
 };
 
 }  // namespace

@@ -16,6 +16,7 @@ struct VerifyScratch {
   };
 
   CornerMarks reached;
+  std::vector<Index> star_cells;
   std::vector<Reached> star;
 };
 
