@@ -29,10 +29,11 @@ namespace {
 constexpr topology::BettiLimits kModerate{12'000'000, 1'000'000'000};
 
 template <int D>
-std::optional<std::vector<std::size_t>> holes(const Mesh& mesh, CountHoles when) {
+std::optional<std::vector<std::size_t>> holes(const Mesh& mesh, CountHoles when,
+                                              std::size_t simplices) {
   if (when == CountHoles::never) return std::nullopt;
   const auto limits = when == CountHoles::always ? topology::BettiLimits{} : kModerate;
-  if (mesh.cells().size() > limits.simplices) return std::nullopt;  // without a copy of the cells
+  if (simplices > limits.simplices) return std::nullopt;  // without a list of them
   const auto betti = topology::betti_numbers(soup_of<D>(mesh), limits);
   if (!betti) return std::nullopt;
   return std::vector<std::size_t>(betti->begin(), betti->end());
@@ -82,6 +83,7 @@ CheckReport check_cells(const Mesh& mesh, const CheckSettings& settings, Progres
                    violations.end());
   stage("counting pieces and holes");
   const auto nodes = static_cast<std::size_t>(std::count(node.begin(), node.end(), true));
+  const topology::Summary summary = topology::summarize(soup);
   CheckReport report{mesh.source,
                      {},
                      D,
@@ -91,8 +93,8 @@ CheckReport check_cells(const Mesh& mesh, const CheckSettings& settings, Progres
                      mesh.cohesive.size(),
                      topology::level_reached(D, violations),
                      {},
-                     topology::summarize(soup),
-                     holes<D>(mesh, settings.betti),
+                     summary,
+                     holes<D>(mesh, settings.betti, summary.simplices),
                      undecided_by(violations)};
   const auto add = [&](std::vector<Finding> findings) {
     std::move(findings.begin(), findings.end(), std::back_inserter(report.findings));

@@ -126,6 +126,10 @@ Level level_reached(int dimension, const std::vector<Violation>& violations) {
 template <int D>
 std::variant<std::vector<std::int8_t>, NonOrientable> orient(const CellView<D>& soup) {
   require_ids_suffice(D, soup.cells.size(), soup.vertex_count);
+  detail::Crew alone;
+  const auto as_written = [](CellId) { return false; };
+  if (detail::plain_mates<D>(soup.cells, soup.vertex_count, as_written, alone))
+    return std::vector<std::int8_t>(soup.cells.size(), 1);  // they are coherent
   std::vector<Violation> unsound = detail::unsound_cells(soup);
   if (!unsound.empty()) throw InvalidComplex(std::move(unsound));
   const detail::FacetMatching matching = detail::match_facets<D>(soup.cells, soup.vertex_count);

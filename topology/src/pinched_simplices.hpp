@@ -119,34 +119,45 @@ class PartsAround {
   std::vector<CellId> queue_, parts_;
 };
 
+/// What for_each_first_met visits, by least vertices: visit(v, entries) for each vertex v that is
+/// the least of a simplex, with an Entry(simplex, cell) of each that asked(simplex) holds for. A
+/// counting sort.
+template <std::size_t Size, class Entry, int D, class Asked, class Visit>
+void for_each_bucket_of_first_met(std::span<const Cell<D>> cells,
+                                  const std::vector<HalfFacetId>& mates, std::size_t vertex_count,
+                                  Asked asked, Visit visit) {
+  std::vector<Index> end(vertex_count + 1, 0);  // begin until filled
+  for_each_first_met<Size, D>(cells, mates, [&](const Simplex<Size>& simplex, CellId) {
+    if (asked(simplex)) ++end[simplex[0].value + 1];
+  });
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<Entry> all(end.back());
+  for_each_first_met<Size, D>(cells, mates, [&](const Simplex<Size>& simplex, CellId cell) {
+    if (asked(simplex)) all[end[simplex[0].value]++] = Entry(simplex, cell);
+  });
+  for (Index v = 0, begin = 0; v < vertex_count; begin = end[v++])
+    if (begin != end[v]) visit(VertexId{v}, std::span(all).subspan(begin, end[v] - begin));
+}
+
 /// Those of `Size` vertices, of which asked(vertex) holds. See find_pinched_simplices.
 template <std::size_t Size, int D, class Asked>
 void find_pinched_of_size(std::span<const Cell<D>> cells, const std::vector<HalfFacetId>& mates,
                           std::size_t vertex_count, Asked asked, std::vector<Violation>& found,
                           std::vector<VertexId>& vertices) {
-  const auto for_each_asked = [&](auto visit) {
-    for_each_first_met<Size, D>(cells, mates, [&](const Simplex<Size>& simplex, CellId cell) {
-      if (std::all_of(simplex.begin(), simplex.end(), asked)) visit(simplex, cell);
-    });
-  };
   struct FirstMet {
-    std::array<VertexId, Size - 1> others;  // the vertices of the simplex but the least
-    CellId cell;
+    FirstMet() = default;
+    FirstMet(const Simplex<Size>& simplex, CellId in) : cell(in) {
+      std::copy(simplex.begin() + 1, simplex.end(), others.begin());
+    }
+    std::array<VertexId, Size - 1> others{};  // the vertices of the simplex but the least
+    CellId cell{};
   };
-  // A counting sort by the least vertex.
-  std::vector<Index> end(vertex_count + 1, 0);  // begin until filled
-  for_each_asked([&](const Simplex<Size>& simplex, CellId) { ++end[simplex[0].value + 1]; });
-  std::partial_sum(end.begin(), end.end(), end.begin());
-  std::vector<FirstMet> all(end.back());
-  for_each_asked([&](const Simplex<Size>& simplex, CellId cell) {
-    FirstMet& entry = all[end[simplex[0].value]++];
-    std::copy(simplex.begin() + 1, simplex.end(), entry.others.begin());
-    entry.cell = cell;
-  });
+  const auto all_asked = [&](const Simplex<Size>& simplex) {
+    return std::all_of(simplex.begin(), simplex.end(), asked);
+  };
   PartsAround<D> around(cells, mates);
   std::vector<CellId> firsts;
-  for (Index v = 0, begin = 0; v < vertex_count; begin = end[v++]) {
-    const auto bucket = std::span(all).subspan(begin, end[v] - begin);
+  const auto look_at = [&](VertexId least, std::span<FirstMet> bucket) {
     std::sort(bucket.begin(), bucket.end(), [](const FirstMet& a, const FirstMet& b) {
       for (std::size_t n = 0; n + 1 < Size; ++n)
         if (a.others[n] != b.others[n]) return a.others[n] < b.others[n];
@@ -157,7 +168,7 @@ void find_pinched_of_size(std::span<const Cell<D>> cells, const std::vector<Half
       if (last - first == 1) continue;
       firsts.clear();
       for (auto entry = first; entry != last; ++entry) firsts.push_back(entry->cell);
-      Simplex<Size> simplex{VertexId{v}};
+      Simplex<Size> simplex{least};
       std::copy(first->others.begin(), first->others.end(), simplex.begin() + 1);
       const std::vector<CellId>& parts = around.of(simplex, firsts);
       if (parts.size() == 1) continue;
@@ -165,7 +176,8 @@ void find_pinched_of_size(std::span<const Cell<D>> cells, const std::vector<Half
           PinchedSimplex{{simplex.begin(), simplex.end()}, parts[0], parts[1], parts.size()});
       vertices.insert(vertices.end(), simplex.begin(), simplex.end());
     }
-  }
+  };
+  for_each_bucket_of_first_met<Size, FirstMet, D>(cells, mates, vertex_count, all_asked, look_at);
 }
 
 /// Simplices of dimension 1 .. D-2 whose cells fall into several facet-connected parts, by

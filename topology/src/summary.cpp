@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "disjoint_sets.hpp"
 #include "faces.hpp"
+#include "facet_matching.hpp"
 #include "incidence.hpp"
+#include "plain_mates.hpp"
+#include "simplex_counts.hpp"
+#include "soundness.hpp"
 
 namespace cleave::topology {
 namespace {
@@ -54,14 +59,73 @@ std::vector<std::array<VertexId, Size>> in_one_only(const std::vector<FaceOf<Siz
   return single;
 }
 
+template <std::size_t Count>
+void add_counts(const std::array<std::size_t, Count>& simplices, Summary& summary) {
+  for (std::size_t k = 0; k < Count; ++k) {
+    summary.simplices += simplices[k];
+    const auto signed_count = static_cast<std::int64_t>(simplices[k]);
+    summary.euler_characteristic += k % 2 == 0 ? signed_count : -signed_count;
+  }
+}
+
+/// `boundary`: the facets in one cell only, each ascending.
 template <int D>
-std::int64_t euler_characteristic(std::span<const Cell<D>> cells) {
-  return [&]<int... K>(std::integer_sequence<int, K...>) {
-    return ((static_cast<std::int64_t>(detail::distinct_simplices<K, D>(cells).size()) *
-             (K % 2 == 0 ? 1 : -1)) +
-            ...);
+std::size_t boundary_components(const std::vector<Facet<D>>& boundary) {
+  if constexpr (D == 1)
+    return boundary.size();
+  else
+    return components(boundary.size(), sorted_faces<D - 2, D - 1>(boundary));
+}
+
+/// The mates of cells that are sound, different and at most two at a facet; none of others.
+template <int D>
+std::optional<std::vector<HalfFacetId>> find_mates(const CellView<D>& soup) {
+  detail::Crew alone;
+  const auto as_written = [](CellId) { return false; };
+  auto mates = detail::plain_mates<D>(soup.cells, soup.vertex_count, as_written, alone);
+  if (mates) return mates;
+  if (!detail::unsound_cells(soup).empty()) return std::nullopt;
+  auto matching = detail::match_facets<D>(soup.cells, soup.vertex_count);
+  if (!matching.duplicates.empty() || !matching.crowded.empty()) return std::nullopt;
+  return std::move(matching.mates);
+}
+
+template <int D>
+Summary summary_of_mates(const CellView<D>& soup, const std::vector<HalfFacetId>& mates) {
+  Summary summary;
+  add_counts(detail::simplex_counts<D>(soup.cells, mates, soup.vertex_count), summary);
+  detail::DisjointSets pieces(soup.cells.size());
+  std::vector<Facet<D>> boundary;
+  for (Index h = 0; h < mates.size(); ++h) {
+    const Index cell = cell_of<D>(HalfFacetId{h}).value;
+    if (!detail::is_mate(mates[h])) {
+      Facet<D>& facet = boundary.emplace_back();
+      std::remove_copy(soup.cells[cell].begin(), soup.cells[cell].end(), facet.begin(),
+                       soup.cells[cell][static_cast<std::size_t>(local_index<D>(HalfFacetId{h}))]);
+      std::sort(facet.begin(), facet.end());
+    } else if (mates[h].value > h) {
+      pieces.join(cell, cell_of<D>(mates[h]).value);
+    }
+  }
+  summary.pieces = pieces.count();
+  summary.boundary_components = boundary_components<D>(boundary);
+  return summary;
+}
+
+/// Of any soup.
+template <int D>
+Summary summary_of_sets(const CellView<D>& soup) {
+  std::vector<Cell<D>> cells(soup.cells.begin(), soup.cells.end());
+  for (Cell<D>& cell : cells) std::sort(cell.begin(), cell.end());
+  Summary summary;
+  [&]<int... K>(std::integer_sequence<int, K...>) {
+    add_counts(std::array{detail::distinct_simplices<K, D>(cells).size()...}, summary);
   }
   (std::make_integer_sequence<int, D + 1>{});
+  const auto facets = sorted_faces<D - 1, D>(cells);
+  summary.pieces = components(cells.size(), facets);
+  summary.boundary_components = boundary_components<D>(in_one_only(facets));
+  return summary;
 }
 
 }  // namespace
@@ -69,19 +133,8 @@ std::int64_t euler_characteristic(std::span<const Cell<D>> cells) {
 template <int D>
 Summary summarize(const CellView<D>& soup) {
   require_ids_suffice(D, soup.cells.size(), soup.vertex_count);
-  std::vector<Cell<D>> cells(soup.cells.begin(), soup.cells.end());
-  for (Cell<D>& cell : cells) std::sort(cell.begin(), cell.end());
-
-  Summary summary;
-  summary.euler_characteristic = euler_characteristic<D>(cells);
-  const auto facets = sorted_faces<D - 1, D>(cells);
-  summary.pieces = components(cells.size(), facets);
-  const auto boundary = in_one_only(facets);
-  if constexpr (D == 1)
-    summary.boundary_components = boundary.size();
-  else
-    summary.boundary_components = components(boundary.size(), sorted_faces<D - 2, D - 1>(boundary));
-  return summary;
+  const auto mates = find_mates(soup);
+  return mates ? summary_of_mates(soup, *mates) : summary_of_sets(soup);
 }
 
 template Summary summarize(const CellView<1>&);
