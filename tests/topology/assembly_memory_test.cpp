@@ -51,25 +51,40 @@ TEST(MemoryOfAssembly, IsFewBytesPerTetrahedron) {
     }
 }
 
-TEST(MemoryOfAssembly, ALackOfItComesOut) {
-  const CellSoup<3> soup = cube(12, true);
+// Large enough to be matched by records of corners.
+TEST(MemoryOfAssembly, IsTwiceTheResultIfThereIsNoOrder) {
+  const CellSoup<3> soup = cube(37, true);
   for (const int threads : {1, 2}) {
-    std::size_t cells = 0;
-    const std::size_t needed = support::run_out_of_memory(
-        [&] {
-          CellSoup<3> copy = soup;
-          cells = assemble(std::move(copy), {threads, {}}).cell_count();
-        },
-        [] {});
-    EXPECT_GT(needed, 8u);
-    EXPECT_EQ(cells, soup.cells.size());
+    const BytesPerCell bytes = bytes_of_assembly(soup, threads);
+    EXPECT_LE(bytes.held, 33.0);
+    EXPECT_GE(bytes.peak, 50.0);
+    EXPECT_LE(bytes.peak, 57.0);
+  }
+}
+
+TEST(MemoryOfAssembly, ALackOfItComesOut) {
+  for (const int n : {12, 37}) {
+    const CellSoup<3> soup = cube(n, true);
+    for (const int threads : {1, 2}) {
+      std::size_t cells = 0;
+      const std::size_t needed = support::run_out_of_memory(
+          [&] {
+            CellSoup<3> copy = soup;
+            cells = assemble(std::move(copy), {threads, {}}).cell_count();
+          },
+          [] {});
+      EXPECT_GT(needed, 8u);
+      EXPECT_EQ(cells, soup.cells.size());
+    }
   }
 }
 
 TEST(ProgressOfAssembly, AscendsToOneOnTheCallingThread) {
-  const CellSoup<3> soup = cube(12, false);
+  const CellSoup<3> ordered = cube(12, false), scrambled = cube(37, true);
   const auto caller = std::this_thread::get_id();
-  for (const int threads : {1, 2, 3}) {
+  for (const int run : {1, 2, 3, 4, 5}) {
+    const CellSoup<3>& soup = run <= 3 ? ordered : scrambled;
+    const int threads = run <= 3 ? run : run - 3;
     std::vector<double> told;
     assemble(soup, {threads, [&](double done) {
                       EXPECT_EQ(std::this_thread::get_id(), caller);

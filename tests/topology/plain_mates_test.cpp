@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <utility>
+#include <variant>
 
 #include "cleave/support/defects.hpp"
+#include "cleave/support/meshes.hpp"
 #include "cleave/support/random_meshes.hpp"
 #include "cleave/support/reference.hpp"
 #include "cleave/topology/check.hpp"
@@ -33,6 +36,15 @@ std::optional<std::vector<HalfFacetId>> mates_of(const CellSoup<D>& soup, int th
       [&](CellId c) { return !soup.signs.empty() && soup.signs[c.value] < 0; }, crew);
 }
 
+/// The same by records, which plain_mates would use for large meshes without order only.
+template <int D>
+std::optional<std::vector<HalfFacetId>> mates_by_records(const CellSoup<D>& soup, int threads) {
+  detail::Crew crew(RunOptions{threads, {}});
+  return detail::mates_by_records<D>(
+      soup.cells, soup.vertex_count,
+      [&](CellId c) { return !soup.signs.empty() && soup.signs[c.value] < 0; }, crew);
+}
+
 TYPED_TEST(PlainMates, AreThoseOfTheReference) {
   constexpr int D = TypeParam::value;
   Rng rng(D);
@@ -45,6 +57,7 @@ TYPED_TEST(PlainMates, AreThoseOfTheReference) {
       for (const int threads : {1, 2, 3}) {
         const auto mates = mates_of(soup, threads);
         ASSERT_TRUE(mates.has_value());
+        EXPECT_EQ(mates, mates_by_records(soup, threads));
         ASSERT_EQ(mates->size(), expected.size());
         for (std::size_t h = 0; h < mates->size(); ++h)
           ASSERT_EQ((*mates)[h].value, expected[h] ? expected[h]->value : kNoIndex);
@@ -66,7 +79,10 @@ template <int D>
 void expect_plain_as_checked(const CellSoup<D>& soup) {
   const auto found = check(soup);
   const bool plain = std::none_of(found.begin(), found.end(), is_not_plain);
-  for (const int threads : {1, 2, 3}) EXPECT_EQ(mates_of(soup, threads).has_value(), plain);
+  for (const int threads : {1, 2, 3}) {
+    EXPECT_EQ(mates_of(soup, threads).has_value(), plain);
+    EXPECT_EQ(mates_by_records(soup, threads).has_value(), plain);
+  }
 }
 
 TYPED_TEST(PlainMates, ThereAreNoneIfAnythingIsWrong) {
@@ -84,6 +100,22 @@ TYPED_TEST(PlainMates, ThereAreNoneIfAnythingIsWrong) {
   }
 }
 
+// Many blocks and several rounds.
+TYPED_TEST(PlainMates, AreTheSameByRecordsAndByBuckets) {
+  constexpr int D = TypeParam::value;
+  constexpr int sizes[] = {40000, 250, 20, 7};
+  typename support::KuhnGrid<D>::Point nodes{};
+  nodes.fill(sizes[D - 1]);
+  support::KuhnGrid<D> grid(nodes);
+  Rng rng(20 + D);
+  support::scramble<D>(grid, rng);
+  CellSoup<D> soup{std::move(grid.cells), grid.vertex_count, {}};
+  soup.signs = std::get<std::vector<std::int8_t>>(orient(soup));
+  const auto expected = mates_of(soup, 1);
+  ASSERT_TRUE(expected.has_value());
+  for (const int threads : {1, 2, 3}) EXPECT_EQ(mates_by_records(soup, threads), expected);
+}
+
 TYPED_TEST(PlainMates, OfNoCells) {
   constexpr int D = TypeParam::value;
   for (const std::size_t vertices : {0u, 3u}) {
@@ -91,6 +123,14 @@ TYPED_TEST(PlainMates, OfNoCells) {
     ASSERT_TRUE(mates.has_value());
     EXPECT_TRUE(mates->empty());
   }
+}
+
+TEST(WithoutOrder, IsAMeshWithShuffledCells) {
+  support::KuhnGrid<3> grid({38, 38, 38});
+  EXPECT_FALSE(detail::without_order<3>(grid.cells, grid.vertex_count));
+  Rng rng(1);
+  support::scramble<3>(grid, rng);
+  EXPECT_TRUE(detail::without_order<3>(grid.cells, grid.vertex_count));
 }
 
 // One bucket with all facets of the mesh.
@@ -101,6 +141,7 @@ TEST(PlainMatesOfAFan, MatchAroundItsHub) {
     fan.cells.push_back({VertexId{0}, VertexId{1 + n}, VertexId{1 + (n + 1) % kTriangles}});
   const auto mates = mates_of(fan, 1);
   ASSERT_TRUE(mates.has_value());
+  EXPECT_FALSE(mates_by_records(fan, 1).has_value());  // too many in one block
   for (Index n = 0; n < kTriangles; ++n) {
     EXPECT_EQ((*mates)[half_facet<2>({n}, 0).value].value, kNoIndex);
     const auto across = half_facet<2>({(n + 1) % kTriangles}, 2);
@@ -133,7 +174,7 @@ TEST(Crew, SharesEachNumberOnceAndReportsProgress) {
         for (std::size_t n = begin; n < end; ++n) ++times[n];
       };
       crew.on_blocks(times.size(), 0, 0.5, count);
-      crew.share(times.size(), 0.5, count);
+      crew.share(times.size(), 0.5, 1, count);
     }
     EXPECT_EQ(std::count(times.begin(), times.end(), 4), 100000);
     EXPECT_LE(told.size(), 250u);

@@ -57,10 +57,11 @@ class Crew {
   }
 
   /// Calls work(worker, begin, end) for consecutive ranges that make up 0 .. count, each on the
-  /// worker that is free next. Brings the stage from the fraction `from` to its end.
+  /// worker that is free next. Brings the stage from one fraction to another.
   template <class Work>
-  void share(std::size_t count, double from, Work work) {
-    const std::size_t step = std::max(kLeastStep, count / kMostReports + 1);
+  void share(std::size_t count, double from, double to, Work work,
+             std::size_t least_step = kLeastStep) {
+    const std::size_t step = std::max(least_step, count / kMostReports + 1);
     std::atomic<std::size_t> next = 0;
     on_each([&](int worker) {
       while (!stop_) {
@@ -68,7 +69,7 @@ class Crew {
         if (begin >= count) return;
         const std::size_t end = std::min(begin + step, count);
         work(worker, begin, end);
-        if (worker == 0) report(from, 1, end, count);
+        if (worker == 0) report(from, to, end, count);
       }
     });
   }

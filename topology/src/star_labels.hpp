@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "complex_access.hpp"
+#include "large_array.hpp"
 
 namespace cleave::topology::detail {
 
@@ -28,8 +29,10 @@ class StarLabels {
       : cells_(cells),
         mates_(mates),
         a_corner_(vertex_count, CornerId{kNone}),
-        labels_(cells.size(), 0),
-        roots_(vertex_count) {}
+        labels_(large_array<Packed>(cells.size())),
+        roots_(large_array<Roots>(vertex_count)) {
+    for (Roots& roots : roots_) roots.fill(kUnused);
+  }
 
   void label_all() {
     for (Index c = 0; c < cells_.size(); ++c)
@@ -86,10 +89,15 @@ class StarLabels {
     std::array<std::uint32_t, static_cast<std::size_t>(D) + 1> labels;
     labels.fill(kNoLabel);
     const Index first = half_facet<D>(CellId{c}, 0).value;
+    std::array<std::size_t, static_cast<std::size_t>(D) + 1> met_before;  // facets
+    std::size_t count = 0;
     for (std::size_t i = 0; i < cell.size(); ++i) {
-      const HalfFacetId mate = mates_[first + i];
-      if (mate.value >= first) continue;
-      const Index across = cell_of<D>(mate).value;
+      met_before[count] = i;
+      count += mates_[first + i].value < first ? 1 : 0;
+    }
+    for (std::size_t n = 0; n < count; ++n) {
+      const std::size_t i = met_before[n];
+      const Index across = cell_of<D>(mates_[first + i]).value;
       const Cell<D> there = cells_[across];
       const std::uint32_t packed_there = labels_[across];
       for (std::size_t j = 0; j < cell.size(); ++j) {
@@ -97,7 +105,7 @@ class StarLabels {
         int shift = 0;
         for (std::size_t k = 1; k < cell.size(); ++k)
           shift += there[k] == cell[j] ? static_cast<int>(k) * kBits : 0;
-        const std::uint32_t label = packed_there >> shift & (kLabels - 1);
+        const std::uint32_t label = roots_[cell[j].value][packed_there >> shift & (kLabels - 1)];
         labels[j] =
             labels[j] == kNoLabel || labels[j] == label ? label : united(cell[j], labels[j], label);
       }
@@ -115,13 +123,13 @@ class StarLabels {
   [[gnu::always_inline]] void fetch(Index near, Index far) const {
     for (const VertexId v : cells_[near]) {
       __builtin_prefetch(&roots_[v.value]);
-      __builtin_prefetch(&a_corner_[v.value]);
     }
     for (int i = 0; i <= D; ++i) {
       const HalfFacetId mate = mates_[half_facet<D>(CellId{far}, i).value];
-      if (mate.value >= half_facet<D>(CellId{far}, 0).value) continue;
-      __builtin_prefetch(&labels_[cell_of<D>(mate).value]);
-      __builtin_prefetch(&cells_[cell_of<D>(mate).value]);
+      const bool is_before = mate.value < half_facet<D>(CellId{far}, 0).value;
+      const Index across = is_before ? cell_of<D>(mate).value : far;
+      __builtin_prefetch(&labels_[across]);
+      __builtin_prefetch(&cells_[across]);
     }
   }
 
@@ -138,9 +146,8 @@ class StarLabels {
   std::uint32_t new_label(VertexId vertex, CornerId corner) {
     Roots& roots = roots_[vertex.value];
     std::size_t label = 0;
-    if (a_corner_[vertex.value].value == kNone) {
+    if (roots[0] == kUnused) {
       a_corner_[vertex.value] = corner;
-      roots.fill(kUnused);
       ++vertices_;
     } else {
       while (label < kLabels && roots[label] != kUnused) ++label;
