@@ -100,7 +100,8 @@ class CornerRecords {
   }
 
  private:
-  static constexpr std::size_t kBlockBytes = std::size_t{1} << 15;  // half of it to all, on average
+  static constexpr std::size_t kBlockBytes = std::size_t{1}
+                                             << 15;  // a block has one to two times that
   static constexpr std::size_t kMostBlocks = 4096, kFewRecords = 1024;
   static constexpr std::size_t kBytesAhead = 128;
   static constexpr std::size_t kUnused = 8;  // records for each worker, not to share cache lines
