@@ -72,9 +72,11 @@ TEST(Arrays, AreSeenWhereTheyLie) {
 }
 
 TEST(Arrays, OfNoWholeTuplesAreRefused) {
-  EXPECT_THROW(as_cells<3>(std::vector<Signed>(7)), std::invalid_argument);
-  EXPECT_THROW(as_facets<3>(std::vector<Signed>(7)), std::invalid_argument);
-  EXPECT_TRUE(as_cells<3>(std::vector<Signed>()).empty());
+  const std::vector<Signed> seven(7), none;
+  EXPECT_THROW(as_cells<3>(seven), std::invalid_argument);
+  EXPECT_THROW(as_facets<3>(seven), std::invalid_argument);
+  EXPECT_TRUE(as_cells<3>(none).empty());
+  static_assert(!ArrayOfNumbers<std::vector<Signed>>, "a temporary would leave nothing to see");
 }
 
 TEST(Arrays, AreJudgedAsTheirCopiesAre) {

@@ -12,7 +12,9 @@
 #include "cleave/support/meshes.hpp"
 #include "cleave/support/random_meshes.hpp"
 #include "cleave/support/reference.hpp"
+#include "cleave/topology/assemble.hpp"
 #include "cleave/topology/check.hpp"
+#include "facet_matching.hpp"
 
 namespace cleave::topology {
 namespace {
@@ -146,6 +148,46 @@ TEST(PlainMatesOfAFan, MatchAroundItsHub) {
     EXPECT_EQ((*mates)[half_facet<2>({n}, 0).value].value, kNoIndex);
     const auto across = half_facet<2>({(n + 1) % kTriangles}, 2);
     EXPECT_EQ((*mates)[half_facet<2>({n}, 1).value], across);
+  }
+}
+
+/// Cells around a simplex of D-1 vertices, one next to the other; the others are numbered in steps.
+template <int D>
+CellSoup<D> fan_in_steps(Index cells, Index step) {
+  constexpr Index kHub = D - 1;
+  CellSoup<D> fan{{}, kHub + cells * step + 1, {}};
+  for (Index n = 0; n < cells; ++n) {
+    Cell<D> cell;
+    for (Index i = 0; i < kHub; ++i) cell[i] = VertexId{i};
+    cell[D - 1] = VertexId{kHub + n * step};
+    cell[D] = VertexId{kHub + (n + 1) * step};
+    fan.cells.push_back(cell);
+  }
+  return fan;
+}
+
+// Many facets meet in the hash table of one bucket: an arithmetic progression is hashed badly.
+TYPED_TEST(PlainMates, AroundAHubOfVerticesNumberedInSteps) {
+  constexpr int D = TypeParam::value;
+  for (const auto& [cells, step] : {std::pair<Index, Index>{50000, 1},
+                                    {1000, 3},
+                                    {10000, 256},
+                                    {5000, 1},
+                                    {3530, 2},
+                                    {700, 4096}}) {
+    CellSoup<D> fan = fan_in_steps<D>(cells, step);
+    const auto mates = mates_of(fan, 1);
+    ASSERT_TRUE(mates.has_value()) << cells << " cells, step " << step;
+    EXPECT_EQ(*mates, detail::match_facets<D>(fan.cells, fan.vertex_count).mates);
+    EXPECT_EQ(assemble(fan).cell_count(), cells);
+
+    fan.cells.push_back(fan.cells[cells / 2]);
+    EXPECT_FALSE(mates_of(fan, 1).has_value());
+    std::swap(fan.cells.back()[0], fan.cells.back()[1]);
+    EXPECT_FALSE(mates_of(fan, 1).has_value());
+    fan.cells.pop_back();
+    std::swap(fan.cells.back()[0], fan.cells.back()[1]);  // the last cell is reversed
+    EXPECT_FALSE(mates_of(fan, 1).has_value());
   }
 }
 

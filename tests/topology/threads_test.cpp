@@ -193,10 +193,10 @@ void expect_same_with_threads(int nodes) {
 }
 
 TEST(Threads, ShareAnAssembly) {
-  expect_same_with_threads<1>(1000);
-  expect_same_with_threads<2>(30);
-  expect_same_with_threads<3>(12);
-  expect_same_with_threads<4>(4);
+  expect_same_with_threads<1>(20000);
+  expect_same_with_threads<2>(120);
+  expect_same_with_threads<3>(20);
+  expect_same_with_threads<4>(8);
 }
 
 }  // namespace

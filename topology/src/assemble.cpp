@@ -58,7 +58,17 @@ template <int D>
   soup.signs.resize(soup.cells.size());
   for (std::size_t c = 0; c < reversed.size(); ++c)
     soup.signs[c] = static_cast<std::int8_t>(reversed[c] ? -1 : 1);
-  throw InvalidComplex(hindrances(soup));
+  std::vector<Violation> found = hindrances(soup);
+  if (found.empty()) throw InvariantBroken("a complex was refused of which check finds no fault");
+  throw InvalidComplex(std::move(found));
+}
+
+/// Not more threads than the cells keep busy.
+RunOptions limited(RunOptions options, std::size_t cells) {
+  constexpr std::size_t kCellsPerThread = 1024;
+  const auto most = static_cast<int>(std::min<std::size_t>(cells / kCellsPerThread + 1, 1024));
+  options.threads = std::min(options.threads, most);
+  return options;
 }
 
 template <int D>
@@ -66,7 +76,7 @@ Regularized<D> build(CellSoup<D> soup, bool regularize, const RunOptions& option
   require_ids_suffice(D, soup.cells.size(), soup.vertex_count);
   detail::require_signs<D>(soup);
   std::vector<bool> reversed = reversed_cells(soup.cells.size(), std::exchange(soup.signs, {}));
-  detail::Crew crew(options);
+  detail::Crew crew(limited(options, soup.cells.size()));
   crew.next_stage(kMatched);
   auto mates = detail::plain_mates<D>(
       soup.cells, soup.vertex_count, [&](CellId c) { return reversed[c.value]; }, crew);

@@ -24,9 +24,6 @@ class CornerSet {
     }
     return true;
   }
-  bool contains(CornerId corner) const {
-    return (slots_[slot_of(block(corner))].corners & bit(corner)) != 0;
-  }
 
   /// Time: constant, however many corners there were.
   void clear() {

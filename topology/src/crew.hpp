@@ -49,7 +49,12 @@ class Crew {
     {
       std::vector<std::jthread> others;
       others.reserve(static_cast<std::size_t>(size_ - 1));
-      for (int worker = 1; worker < size_; ++worker) others.emplace_back(run, worker);
+      try {
+        for (int worker = 1; worker < size_; ++worker) others.emplace_back(run, worker);
+      } catch (...) {  // no further thread can be had
+        stop_ = true;
+        throw;
+      }
       run(0);
     }
     stop_ = false;

@@ -95,14 +95,12 @@ class FacetBucket {
       std::size_t slot = hash(entry.key, bits);
       Index found = slots[slot];  // 0: nothing, or an entry with the same key
       while (found != 0 && !same(entries[found].key, entry.key)) {
-        if (patience-- == 0) return false;
+        if (patience-- == 0) return match_sorted(mates);
         slot = (slot + 1) & mask;
         found = slots[slot];
       }
       Entry& other = entries[found];
-      // Opposite orientations and different vertices.
-      const bool fit = (entry.apex ^ other.apex) >= kOrientation + (1 << kPlaceBits);
-      faulty |= (found != 0) & (!fit | (other.mate != kNone));
+      faulty |= (found != 0) & (!fit(entry, other) | (other.mate != kNone));
       entry.mate = other.half_facet;  // kNone in entry 0, whose own mate means nothing
       other.mate = entry.half_facet;
       slots[slot] = found | (n & (Index{0} - static_cast<Index>(found == 0)));
@@ -114,6 +112,26 @@ class FacetBucket {
   }
 
  private:
+  /// The same by sorting, where many facets meet in the hash table: around an edge with thousands
+  /// of cells whose vertices are numbered in steps.
+  bool match_sorted(std::vector<HalfFacetId>& mates) {
+    const auto begin = entries_.begin() + 1;
+    const auto end = entries_.begin() + static_cast<std::ptrdiff_t>(size_);
+    std::sort(begin, end, [](const Entry& a, const Entry& b) {
+      return a.key != b.key ? a.key < b.key : a.half_facet < b.half_facet;
+    });
+    if (least_difference_ < 0) return false;
+    for (auto first = begin; first != end;) {
+      auto last = first + 1;
+      while (last != end && last->key == first->key) ++last;
+      if (last - first > 2 || (last - first == 2 && !fit(*first, *(first + 1)))) return false;
+      mates[first->half_facet].value = last - first == 2 ? (first + 1)->half_facet : kNone;
+      if (last - first == 2) mates[(first + 1)->half_facet].value = first->half_facet;
+      first = last;
+    }
+    return true;
+  }
+
   static constexpr std::size_t kPerWord = sizeof(std::uint64_t) / sizeof(Index);
   static constexpr std::size_t kWords = D == 1 ? 1 : (D - 1 + kPerWord - 1) / kPerWord;
   static constexpr std::size_t kPatience = 64;
@@ -126,6 +144,11 @@ class FacetBucket {
     Index half_facet = kNone;
     Index mate = kNone;
   };
+
+  /// Whether the facets have opposite orientations and different vertices opposite them.
+  static bool fit(const Entry& one, const Entry& other) {
+    return (one.apex ^ other.apex) >= kOrientation + (1 << kPlaceBits);
+  }
 
   static bool same(const Key& one, const Key& other) {  // operator== may call memcmp
     std::uint64_t unlike = 0;

@@ -63,11 +63,12 @@ std::span<const T> as_tuples(const void* numbers, std::size_t count) {
 /// std::span(matrix.data(), matrix.size()), if it holds one tuple after the other.
 template <class Array>
 concept ArrayOfNumbers = std::ranges::contiguous_range<Array> && std::ranges::sized_range<Array> &&
+    std::ranges::borrowed_range<Array> &&  // no temporary that holds its numbers
     IndexLike<typename detail::NumbersOf<std::ranges::range_value_t<Array>>::Number>;
 
 /// The numbers as ids of type AnId: half-facets of a cut, vertices of a set.
 template <class AnId, ArrayOfNumbers Array>
-std::span<const AnId> as_ids(const Array& array) {
+std::span<const AnId> as_ids(Array&& array) {
   constexpr std::size_t each = detail::NumbersOf<std::ranges::range_value_t<Array>>::kCount;
   return detail::as_tuples<AnId>(std::ranges::data(array), each * std::ranges::size(array));
 }
@@ -75,14 +76,14 @@ std::span<const AnId> as_ids(const Array& array) {
 /// The numbers as cells, D+1 vertices each. Throws std::invalid_argument if they are no multiple of
 /// that.
 template <int D, ArrayOfNumbers Array>
-std::span<const Cell<D>> as_cells(const Array& array) {
+std::span<const Cell<D>> as_cells(Array&& array) {
   const auto ids = as_ids<VertexId>(array);
   return detail::as_tuples<Cell<D>>(ids.data(), ids.size());
 }
 
 /// The numbers as facets, D vertices each. Throws as as_cells.
 template <int D, ArrayOfNumbers Array>
-std::span<const Facet<D>> as_facets(const Array& array) {
+std::span<const Facet<D>> as_facets(Array&& array) {
   const auto ids = as_ids<VertexId>(array);
   return detail::as_tuples<Facet<D>>(ids.data(), ids.size());
 }

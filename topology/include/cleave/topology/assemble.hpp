@@ -12,9 +12,9 @@ namespace cleave::topology {
 /// The complex of these cells with these signs. Throws InvalidComplex with the violations up to
 /// cut_regular unless `soup` is a coherently oriented, cut-regular pseudo-manifold of distinct
 /// cells (orphan vertices are kept and no violation here); std::length_error if ids do not suffice;
-/// std::invalid_argument for signs that are not one per cell, each +1 or -1.
-/// Time: linear. Peak memory beyond the result, D = 3: 8 bytes per cell, and 4 per vertex for each
-/// thread but the first.
+/// std::invalid_argument for signs that are not one per cell, each +1 or -1; std::system_error if a
+/// thread cannot be started. Time: linear. Peak memory beyond the result, D = 3: 8 bytes per cell,
+/// and 4 per vertex for each thread but the first.
 template <int D>
 Complex<D> assemble(CellSoup<D> soup, const RunOptions& options = {});
 

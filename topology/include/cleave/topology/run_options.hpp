@@ -5,7 +5,8 @@ namespace cleave::topology {
 
 /// How work on a whole mesh is done. The result does not depend on it.
 struct RunOptions {
-  /// How many threads share the work, the calling one included; at least 1.
+  /// How many threads share the work, the calling one included; less than 1 counts as 1, and more
+  /// than the cells keep busy are not started.
   int threads = 1;
 
   /// Told now and then, a few hundred times at most, which fraction of the work is done (from 0 to
