@@ -44,6 +44,11 @@ void operator delete(void* block) noexcept {
 
 void operator delete(void* block, std::size_t) noexcept { operator delete(block); }
 
+// Sanitizers bring arrays of their own, which would not be counted.
+void* operator new[](std::size_t size) { return operator new(size); }
+void operator delete[](void* block) noexcept { operator delete(block); }
+void operator delete[](void* block, std::size_t) noexcept { operator delete(block); }
+
 namespace cleave::support {
 
 std::size_t heap_bytes() { return held; }
