@@ -203,9 +203,7 @@ void range_stars(benchmark::State& state) {
 }
 
 /// All stars through the mates: the walker beside a flood with a mark per cell.
-void range_walks(benchmark::State& state) {
-  const Complex<3>& k = indexed(state).body->complex;
-  const FlatMesh<3>& flat = indexed(state).body->flat;
+void compare_walks(benchmark::State& state, const Complex<3>& k, const FlatMesh<3>& flat) {
   compare(
       state, "ns/incidence", k.half_facet_count(),
       [&] {
@@ -224,6 +222,11 @@ void range_walks(benchmark::State& state) {
       });
 }
 
+void range_walks(benchmark::State& state) {
+  const Indexed& all = indexed(state);
+  compare_walks(state, all.body->complex, all.body->flat);
+}
+
 /// The same where the tuples of cells are in no order, so that no branch on them can be foreseen.
 void range_walks_of_turned_tuples(benchmark::State& state) {
   CellSoup<3> soup = kuhn_soup<3>(static_cast<int>(state.range(0)));
@@ -233,22 +236,7 @@ void range_walks_of_turned_tuples(benchmark::State& state) {
   FlatMesh<3> flat = flat_mesh(soup);
   flat.match();
   const Complex<3> k = assemble(std::move(soup));
-  compare(
-      state, "ns/incidence", k.half_facet_count(),
-      [&] {
-        std::uint64_t sum = 0;
-        StarWalker walker(k);
-        for (const VertexId v : vertices(k))
-          for (const CornerId corner : walker.around(v)) sum += corner.value;
-        return sum;
-      },
-      [&] {
-        std::uint64_t sum = 0;
-        for_each_star(flat, [&](std::uint32_t, const auto& star) {
-          for (const std::uint32_t corner : star) sum += corner;
-        });
-        return sum;
-      });
+  compare_walks(state, k, flat);
 }
 
 /// All links, by the index.

@@ -14,15 +14,6 @@
 namespace cleave::views {
 namespace {
 
-/// Vertices 3 and 4 become 1, vertex 5 becomes 0.
-Relabelling some_merges() {
-  Relabelling change;
-  change.vertices_before = 6;
-  change.vertices_after = 3;
-  change.merges = {{{3}, {1}}, {{4}, {1}}, {{5}, {0}}};
-  return change;
-}
-
 TEST(VertexProperties, FollowACutAndItsStitch) {
   Incision<3> incision(complex_of<3>(kuhn_cube<3>(3)));
   const std::size_t vertices = incision.complex().vertex_count();

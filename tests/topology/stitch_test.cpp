@@ -162,15 +162,6 @@ TEST(StitchFigure7, OneOfTwoShutsTheOther) {
   EXPECT_EQ(incision.undo(Verify::all).opened.size(), 2u);  // the step was one facet, two open
 }
 
-/// A change that merges vertices 3 and 4 into 1, and 5 into 0.
-Relabelling some_merges() {
-  Relabelling change;
-  change.vertices_before = 6;
-  change.vertices_after = 3;
-  change.merges = {{{3}, {1}}, {{4}, {1}}, {{5}, {0}}};
-  return change;
-}
-
 TEST(CarryOverMerges, ValuesThatMustBeEqualAreAskedToBe) {
   std::vector<int> equal{7, 8, 9, 8, 8, 7};
   carry_over(equal, some_merges());

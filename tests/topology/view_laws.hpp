@@ -14,6 +14,7 @@
 #include "cleave/topology/assemble.hpp"
 #include "cleave/topology/complex.hpp"
 #include "cleave/topology/facet_set.hpp"
+#include "cleave/topology/relabelling.hpp"
 
 /// What the tests of the read-only parts of topology share: complexes to look at, and what their
 /// simplices and stars are by definition.
@@ -26,6 +27,15 @@ using Dimension = std::integral_constant<int, D>;
 
 /// For typed tests: TypeParam::value is the dimension.
 using Dimensions = ::testing::Types<Dimension<1>, Dimension<2>, Dimension<3>, Dimension<4>>;
+
+/// A change that merges vertices 3 and 4 into 1, and 5 into 0.
+inline Relabelling some_merges() {
+  Relabelling change;
+  change.vertices_before = 6;
+  change.vertices_after = 3;
+  change.merges = {{{3}, {1}}, {{4}, {1}}, {{5}, {0}}};
+  return change;
+}
 
 /// The mesh, oriented, with pinched vertices split.
 template <int D>
